@@ -33,7 +33,7 @@ const parts = {
     ],
     splitting: true,
     chunkNames: "part-[hash]",
-    loader: { ".css": "text" },
+    loader: { ".css": "text", ".il": "text" },
     plugins: [untreed],
     around,
   },

@@ -6,6 +6,7 @@
 //! - `call`: which requests there are; `given`: what each of them gives
 //! - `facts`: the board that a program is for, and what it has
 //! - `program`: a text as a person has written it, and what there is to show of it
+//! - `start`: the program that a page begins with
 //! - `tell`: problems, with their places
 //! - `draw`: ladders and lists
 //! - `edit`: a program that a person draws
@@ -41,6 +42,8 @@ mod machine;
 mod program;
 #[cfg(feature = "full")]
 mod replay;
+#[cfg(any(test, not(feature = "full")))]
+mod start;
 mod tell;
 mod words;
 

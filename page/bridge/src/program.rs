@@ -4,12 +4,15 @@
 
 use crate::facts;
 use crate::given::Given;
+#[cfg(not(feature = "full"))]
+use crate::start::Known;
 use crate::tell::{Problem, colours, problems, warnings};
 use crate::words::{self, Both, No, both};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use unoclp_client::diagnostics::Kept;
 use unoclp_core::{Board, Delay};
+#[cfg(feature = "full")]
 use unoclp_lang::declared;
 use unoclp_program::used::Used;
 use unoclp_program::{
@@ -143,6 +146,14 @@ impl Uses {
     }
 }
 
+/// What is known of the program that a page begins with, if this is it.
+#[cfg(not(feature = "full"))]
+fn start(written: &Written) -> Option<Known> {
+    let text = std::str::from_utf8(&written.bytes).ok()?;
+    let is_list = written.language == Ok(WrittenIn::Il);
+    is_list.then(|| crate::start::known(text)).flatten()
+}
+
 impl Text {
     /// As a request gives it.
     ///
@@ -168,7 +179,12 @@ impl Text {
         #[cfg(feature = "full")]
         return Ok(written.check(None));
         #[cfg(not(feature = "full"))]
-        return written.check_untyped().ok_or(No::More);
+        return match start(&written) {
+            Some(start) => Ok(Ok(written
+                .known(&start.code, start.map)
+                .map_err(|_| No::More)?)),
+            None => written.check_numeric().ok_or(No::More),
+        };
     }
 
     /// Its coloured parts, as [`Checked`] has them.
@@ -181,7 +197,10 @@ impl Text {
         #[cfg(feature = "full")]
         let parts = written.colours();
         #[cfg(not(feature = "full"))]
-        let parts = written.colours_untyped();
+        let parts = match start(&written) {
+            Some(start) => return start.colours,
+            None => written.colours_numeric(),
+        };
         colours(&self.text, &parts)
     }
 
@@ -190,20 +209,29 @@ impl Text {
     /// # Errors
     /// [`No::More`] where it does not.
     pub fn needs_no_more(&self) -> Result<(), No> {
-        let is_full = cfg!(feature = "full");
-        let bytes = || self.text.clone().into_bytes();
-        let written = || Written::new(self.name.clone(), bytes(), self.board);
-        match is_full || !written().is_typed() {
-            true => Ok(()),
-            false => Err(No::More),
+        #[cfg(not(feature = "full"))]
+        {
+            let bytes = self.text.clone().into_bytes();
+            let written = Written::new(self.name.clone(), bytes, self.board);
+            let is_compiled = written.is_text() && start(&written).is_none();
+            if is_compiled {
+                return Err(No::More);
+            }
         }
+        Ok(())
     }
 
     /// Whether no instruction stands in it yet: one can draw the first.
     pub fn is_blank(&self) -> bool {
-        let is_list = self.name.to_ascii_lowercase().ends_with(".il");
-        let declares = || self.text.len() <= LONGEST && declared(&self.text).is_blank;
-        self.text.trim().is_empty() || is_list && declares()
+        #[cfg(feature = "full")]
+        let declares = || {
+            let is_list = self.name.to_ascii_lowercase().ends_with(".il");
+            is_list && self.text.len() <= LONGEST && declared(&self.text).is_blank
+        };
+        // What else the module knows has instructions.
+        #[cfg(not(feature = "full"))]
+        let declares = || false;
+        self.text.trim().is_empty() || declares()
     }
 
     /// The program, where there is one.

@@ -13,7 +13,7 @@ use unoclp_draw::{Ladder, Names};
 use unoclp_lang::{Dialect, Holding, TextLanguage, Told, Trace, Variable};
 use unoclp_point::Kind;
 
-/// A program that has been read, compiled and checked: only [`Written::check`](crate::Written::check) makes one.
+/// A program that has been read, compiled and checked: only [`Written::check`](crate::Written::check) and its like make one.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Source {

@@ -4,8 +4,8 @@
 
 use crate::{Language, NoProgram, Size, Source, WrittenIn, decode};
 use std::path::Path;
-use unoclp_checked::{Diagnosis, numeric};
-use unoclp_core::Board;
+use unoclp_checked::{Checked, Diagnosis, SourceMap, numeric};
+use unoclp_core::{Board, Fault};
 use unoclp_lang::{
     Colour, Dialect, Options, Span, TextLanguage, Told, colours, colours_of_list, compile_text,
     compile_untyped, has_types,
@@ -105,12 +105,6 @@ impl Written {
         }
     }
 
-    /// Whether it goes by way of the typed tree: a text in a typed language, Instruction List with types, or a project,
-    /// which may hold either.
-    pub fn is_typed(&self) -> bool {
-        matches!(self.way(), Ok(Way::Typed(_) | Way::Xml))
-    }
-
     fn way(&self) -> Result<Way, NoProgram> {
         Ok(match self.language? {
             WrittenIn::Numeric => Way::Numeric,
@@ -126,35 +120,55 @@ impl Written {
         Refused::NoProgram { name, why }
     }
 
-    /// The same for numeric code and Instruction List alone, without what the typed languages take: none for a text in one
-    /// of those.
+    /// The same without any compiler: none for a text that takes one.
     ///
     /// # Errors
     /// All that is wrong with it.
-    pub fn check_untyped(self) -> Option<Result<Source, Refused>> {
-        match self.way() {
-            Ok(Way::Numeric) => Some(self.numeric()),
-            Ok(Way::List) => Some(self.compiled(None)),
-            Ok(Way::Typed(_) | Way::Xml) => None,
+    pub fn check_numeric(self) -> Option<Result<Source, Refused>> {
+        match self.language {
+            Ok(WrittenIn::Numeric) => Some(self.numeric()),
+            Ok(_) => None,
             Err(why) => Some(Err(self.none(why))),
         }
+    }
+
+    /// The same of Instruction List of the norm, of which it is known what it comes to: its numeric code, and where the
+    /// steps of that stand in it.
+    ///
+    /// # Errors
+    /// The first fault of that code.
+    pub fn known(self, code: &str, map: SourceMap) -> Result<Source, Fault> {
+        let checked = Checked::read(code.as_bytes(), self.board)?;
+        Ok(Source {
+            name: self.name,
+            text: decode(&self.bytes),
+            code: code.as_bytes().to_vec(),
+            language: Language::Il {
+                dialect: Dialect::Iec,
+                warnings: Told::default(),
+            },
+            size: Size::of(checked.program()),
+            map,
+            variables: Vec::new(),
+            traces: Vec::new(),
+            checked,
+        })
     }
 
     /// The coloured parts of its text, in the order of their places.
     pub fn colours(&self) -> Vec<(Span, Colour)> {
         match self.way() {
             Ok(Way::Typed(language)) => colours(&decode(&self.bytes), language),
-            _ => self.colours_untyped(),
+            Ok(Way::List) => colours_of_list(&decode(&self.bytes)),
+            Ok(Way::Numeric | Way::Xml) | Err(_) => self.colours_numeric(),
         }
     }
 
-    /// The same for numeric code and Instruction List alone: none for a text in another language.
-    pub fn colours_untyped(&self) -> Vec<(Span, Colour)> {
-        let text = decode(&self.bytes);
-        match self.way() {
-            Ok(Way::Numeric) => crate::colours::numeric(&text),
-            Ok(Way::List) => colours_of_list(&text),
-            Ok(Way::Typed(_) | Way::Xml) | Err(_) => Vec::new(),
+    /// The same of numeric code alone: none for a text in another language.
+    pub fn colours_numeric(&self) -> Vec<(Span, Colour)> {
+        match self.language {
+            Ok(WrittenIn::Numeric) => crate::colours::numeric(&decode(&self.bytes)),
+            _ => Vec::new(),
         }
     }
 

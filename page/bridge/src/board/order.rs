@@ -90,7 +90,7 @@ impl Order {
         })
     }
 
-    /// Whether this module can do it: a program in a typed language takes the one that has everything.
+    /// Whether this module can do it: a program that is compiled takes the one that has everything.
     ///
     /// # Errors
     /// [`No::More`]; what is wrong with a program is told when its turn comes.

@@ -1,25 +1,16 @@
 // The program that somebody writes: its name and text, its drawing, and what Rust says of it. The browser keeps it.
 
+import seal from "../../../bridge/start/seal-in.il";
 import type { Act, Both, Checked, Made, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { Refusal } from "../tools/tools";
 import { keepHere, keptHere, programOf, whenMoved } from "./place";
 import { Signal } from "./signal";
 
+/** The one text in Instruction List that the first module knows: it asks no one for more. */
 const FIRST: Text = {
   name: "seal-in.il",
-  text: `(* Seal-in - Selo: I1 starts, I2 stops - I1 liga, I2 desliga *)
-VAR
-    start AT %I1 : BOOL;
-    stop  AT %I2 : BOOL;
-    motor AT %Q1 : BOOL;
-END_VAR
-
-LD   start
-OR   motor
-ANDN stop
-ST   motor
-`,
+  text: seal,
 };
 
 /** What Rust says of a text. */

@@ -9,12 +9,12 @@ export class Modules {
     this.small = WebAssembly.compileStreaming(fetch("unoclp.wasm"));
   }
 
-  /** Numeric code, Instruction List, the ladder, and boards. */
+  /** Numeric code, the program that a page begins with, the ladder, and boards. */
   first(): Promise<WebAssembly.Module> {
     return this.small;
   }
 
-  /** The typed languages, exercises and cards too. */
+  /** All languages, exercises and cards too. */
   full(): Promise<WebAssembly.Module> {
     this.whole ??= WebAssembly.compileStreaming(fetch("unoclp-full.wasm")).catch((error: unknown) => {
       // The next time it may come.

@@ -1,0 +1,5 @@
+/** A program that is bundled as it stands. */
+declare module "*.il" {
+  const text: string;
+  export default text;
+}
