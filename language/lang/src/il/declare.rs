@@ -258,7 +258,7 @@ impl Front<'_, '_> {
     fn block_at(&mut self, var: &Var, at: &Operand, name: &str) {
         let written = at.name().unwrap_or_default();
         let (key, _) = parts(written, self.names.dialect);
-        self.aliases.insert(name.to_uppercase(), key.clone());
+        self.aliases.insert(name.to_uppercase(), key.to_string());
         if self.builder.find(&key).is_some() {
             return;
         }

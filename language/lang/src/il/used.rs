@@ -4,6 +4,7 @@ use crate::Dialect;
 use crate::ast::{Instr, Operand, Stmt, Unit};
 use crate::diagnostics::Span;
 use crate::operators::Op;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use unoclp_core::isa::Opcode;
 use unoclp_point::{Kind, read};
@@ -27,15 +28,15 @@ pub(super) struct Used {
 }
 
 /// The block that a name means, and the part of it: `T1.PT`, `%C2`.
-pub(super) fn parts(name: &str, dialect: Dialect) -> (String, Option<&str>) {
+pub(super) fn parts(name: &str, dialect: Dialect) -> (Cow<'_, str>, Option<&str>) {
     let block = |kind| matches!(kind, Kind::Timer | Kind::Counter);
     match read(name, dialect.maker()) {
         Some(written) if block(written.kind) && written.number.is_some() => {
-            (written.name(), written.member)
+            (written.name().into(), written.member)
         }
         _ => match name.split_once('.') {
-            Some((block, member)) => (block.to_owned(), Some(member)),
-            None => (name.to_owned(), None),
+            Some((block, member)) => (block.into(), Some(member)),
+            None => (name.into(), None),
         },
     }
 }
@@ -65,7 +66,10 @@ impl Used {
 
     fn entry(&mut self, operand: &Operand, dialect: Dialect) -> Option<&mut Uses> {
         let (block, _) = parts(operand.name()?, dialect);
-        Some(self.of.entry(block).or_default())
+        if !self.of.contains_key(&*block) {
+            self.of.insert(block.to_string(), Uses::default());
+        }
+        self.of.get_mut(&*block)
     }
 
     fn note(&mut self, instr: &Instr, dialect: Dialect) {

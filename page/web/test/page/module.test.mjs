@@ -4,14 +4,19 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { readFileSync } from "node:fs";
 import { ask, load, random } from "./module.mjs";
 
 const IL = { name: "a.il", text: "LD I1\nTON T1, 20\nST Q1\n" };
+/** The program that the page begins with, which the smaller module knows. */
+const FIRST = { name: "a.il", text: readFileSync(new URL("../../../bridge/start/seal-in.il", import.meta.url), "utf8") };
 const ST = { name: "a.st", text: "PROGRAM p VAR q AT %QX1 : BOOL; END_VAR q := TRUE; END_PROGRAM" };
 const GOOD = [
   { ask: "board" },
   { ask: "board", board: "nano" },
   { ask: "check", ...IL },
+  { ask: "check", ...FIRST },
+  { ask: "ladder", ...FIRST, width: 64, speak: "en" },
   { ask: "check", ...ST },
   { ask: "check", name: "P.TXT", text: "0\n787600\n827301\n877901\n" },
   { ask: "ladder", ...IL, width: 64, speak: "pt" },
@@ -24,6 +29,7 @@ const GOOD = [
   { ask: "open", program: IL, reset: false, rate: 9600 },
   { ask: "step", board: 1, now: 12.5, came: [1, 43, 14] },
   { ask: "order", board: 1, order: { do: "upload", ...IL, stay: true } },
+  { ask: "order", board: 1, order: { do: "upload", ...FIRST, stay: true } },
   { ask: "order", board: 1, order: { do: "watch", ...ST } },
   { ask: "order", board: 1, order: { do: "set", point: "D1", value: -7 } },
   { ask: "flash", hex: ":00000001FF", model: "uno" },
@@ -51,21 +57,23 @@ for (const file of ["unoclp.wasm", "unoclp-full.wasm"]) {
     const call = await load(file);
     const { ok: uno } = ask(call, { ask: "board" });
     assert.deepEqual([uno.name, uno.inputs, uno.outputs, uno.shared.length], ["UNO", 8, 4, 4]);
-    const { ok } = ask(call, { ask: "check", ...IL });
+    const { ok } = ask(call, { ask: "check", ...FIRST });
     assert.equal(ok.language, "il");
-    assert.match(ok.program.code, /847978/);
-    assert.deepEqual(ok.colours.slice(0, 6), [0, 2, 4, 1, 2, 2]);
-    assert.match(ask(call, { ask: "ladder", ...IL, width: 64, speak: "pt" }).ok.svg, /Degrau 1/);
-    const wrong = ask(call, { ask: "check", name: "a.il", text: "LDD I1" }).ok;
+    assert.match(ok.program.code, /877901/);
+    assert.deepEqual(ok.colours.slice(0, 6), [0, 63, 0, 1, 3, 4]);
+    assert.match(ask(call, { ask: "ladder", ...FIRST, width: 64, speak: "pt" }).ok.svg, /Degrau 1/);
+    const wrong = ask(call, { ask: "check", name: "P.TXT", text: "0\n787601\n" }).ok;
     assert.notEqual(wrong.problems[0].message.en, wrong.problems[0].message.pt);
     const board = ask(call, { ask: "open", program: null, reset: false }).ok;
     // It waits, and asks who is there (Modbus, read device identification).
     let step = { send: [], until: 0 };
     while (step.send.length === 0) step = ask(call, { ask: "step", board, now: step.until, came: [] }).ok;
     assert.deepEqual(step.send.slice(0, 4), [1, 43, 14, 1]);
-    // A typed language takes the module that has everything, and the smaller one says so.
-    const typed = ask(call, { ask: "check", ...ST });
-    assert.deepEqual(isFull ? typed.ok.language : typed, isFull ? "st" : { more: true });
+    // What is compiled takes the module that has everything, and the smaller one says so.
+    for (const [text, language] of /** @type {const} */ ([[IL, "il"], [ST, "st"]])) {
+      const compiled = ask(call, { ask: "check", ...text });
+      assert.deepEqual(isFull ? compiled.ok.language : compiled, isFull ? language : { more: true });
+    }
     assert.ok(ask(call, { ask: "none" }).error.pt);
   });
 

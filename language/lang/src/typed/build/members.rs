@@ -4,11 +4,16 @@
 
 use super::builder::Builder;
 use super::named::Section;
-use super::places::Target;
+use super::places::{Lock, Target};
 use super::words::both;
-use crate::diagnostics::{Code, Span, Word};
+use crate::diagnostics::{Code, Span};
 use crate::typed::standard::Role;
 use crate::typed::{Base, Expr, ExprKind, Index, Kind, TypeId};
+
+/// Whether anything but its block stores in a part of a block: in its inputs alone.
+fn lock_of(input: bool) -> Option<Lock> {
+    (!input).then_some(Lock::Output)
+}
 
 impl Builder<'_, '_> {
     /// A member of a structure or an instance.
@@ -25,7 +30,7 @@ impl Builder<'_, '_> {
             }
             Kind::Standard(block) => {
                 found = block.part(&key).map(|(offset, (_, base, role))| {
-                    (offset, TypeId::of(base), self.lock_of(role == Role::Input))
+                    (offset, TypeId::of(base), lock_of(role == Role::Input))
                 });
                 let parts = block.parts().iter().filter(|part| part.2 != Role::Hidden);
                 names = parts.map(|part| part.0.to_owned()).collect();
@@ -40,7 +45,7 @@ impl Builder<'_, '_> {
                 names = own.clone().map(|param| param.name.clone()).collect();
                 let mut named = own.filter(|param| self.key(&param.name) == key);
                 found = named.next().map(|param| {
-                    let lock = self.lock_of(param.section == Section::Input);
+                    let lock = lock_of(param.section == Section::Input);
                     (param.offset, param.ty, lock)
                 });
             }
@@ -85,15 +90,6 @@ impl Builder<'_, '_> {
             result: of.result,
             at: of.at.to(at),
         })
-    }
-
-    fn lock_of(&self, input: bool) -> Option<Box<(Word, Word)>> {
-        let what = ("an output of its block", "uma saída do seu bloco");
-        let help = (
-            "only the block changes it; store in one of its inputs",
-            "só o bloco a muda; guarde em uma das entradas dele",
-        );
-        (!input).then(|| Box::new((what.into(), help.into())))
     }
 
     /// An element of an array. Constant subscripts are checked here, computed ones while the program runs.

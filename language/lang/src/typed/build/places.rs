@@ -15,12 +15,24 @@ pub(crate) struct Target {
     pub place: Place,
     pub ty: TypeId,
     /// Why nothing can be stored in it, and what to do.
-    pub locked: Option<Box<(Word, Word)>>,
+    pub locked: Option<Lock>,
     /// A constant's value.
     pub value: Option<Value>,
     /// Whether it is the name of a unit's own result.
     pub result: bool,
     pub at: Span,
+}
+
+/// Why nothing can be stored in a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lock {
+    Constant,
+    /// An input of the unit.
+    Input,
+    /// An output of a block.
+    Output,
+    /// An input of the board.
+    Sensor,
 }
 
 impl Draft {
@@ -120,8 +132,8 @@ impl Builder<'_, '_> {
                 .is_some_and(|draft| draft.result.is_some() && draft.unit.name == variable.name);
         let input = variable.section == Section::Input && is_own && kind != Some(UnitKind::Program);
         let locked = match (variable.constant, input) {
-            (true, _) => Some(Box::new(Builder::why_not_written(Section::Var))),
-            (_, true) => Some(Box::new(Builder::why_not_written(Section::Input))),
+            (true, _) => Some(Lock::Constant),
+            (_, true) => Some(Lock::Input),
             _ => self.input_point(variable.root, variable.offset),
         };
         Target {
@@ -143,29 +155,20 @@ impl Builder<'_, '_> {
                 at,
             },
             ty,
-            locked: Some(Box::new(Builder::why_not_written(Section::Var))),
+            locked: Some(Lock::Constant),
             value: Some(value),
             result: false,
             at,
         }
     }
 
-    fn input_point(&self, root: Root, offset: u32) -> Option<Box<(Word, Word)>> {
+    fn input_point(&self, root: Root, offset: u32) -> Option<Lock> {
         if root != Root::Static {
             return None;
         }
         let points = self.points.iter();
         let mut at = points.filter(|(point, cell)| **cell == offset && !point.is_written());
-        at.next()?;
-        let what = (
-            "an input, which only its sensor changes",
-            "uma entrada, que só o seu sensor muda",
-        );
-        let help = (
-            "store in an output (%QX1) or a variable",
-            "guarde em uma saída (%QX1) ou em uma variável",
-        );
-        Some(Box::new((what.into(), help.into())))
+        at.next().map(|_| Lock::Sensor)
     }
 
     /// A point of the board as a place.

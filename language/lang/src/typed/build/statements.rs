@@ -14,7 +14,7 @@ impl Builder<'_, '_> {
     pub(super) fn writable(&mut self, target: Target) -> Option<Target> {
         if let Some(locked) = target.locked {
             let written = self.written(target.at);
-            let (what, help) = *locked;
+            let (what, help) = Builder::why_not_written(locked);
             self.tell(Code::StNotWritable, target.at, [written.into(), what, help]);
             return None;
         }

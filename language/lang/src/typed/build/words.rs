@@ -1,7 +1,8 @@
 //! Words that messages put together, in both languages.
 
 use super::builder::Builder;
-use super::named::{Named, Section};
+use super::named::Named;
+use super::places::Lock;
 use crate::diagnostics::Word;
 use crate::typed::{Kind, TypeId, UnitKind};
 
@@ -58,24 +59,40 @@ impl Builder<'_, '_> {
     }
 
     /// Why nothing can be stored in a variable of this kind, and what to do.
-    pub(super) fn why_not_written(section: Section) -> (Word, Word) {
-        match section {
-            Section::Input => (
-                ("an input of this unit", "uma entrada desta unidade").into(),
+    pub(super) fn why_not_written(lock: Lock) -> (Word, Word) {
+        let (what, help) = match lock {
+            Lock::Input => (
+                ("an input of this unit", "uma entrada desta unidade"),
                 (
                     "copy it to a variable of its own: VAR x : INT; END_VAR",
                     "copie-a para uma variável própria: VAR x : INT; END_VAR",
-                )
-                    .into(),
+                ),
             ),
-            _ => (
-                ("a constant", "uma constante").into(),
+            Lock::Constant => (
+                ("a constant", "uma constante"),
                 (
                     "declare it with VAR, without CONSTANT",
                     "declare-a com VAR, sem CONSTANT",
-                )
-                    .into(),
+                ),
             ),
-        }
+            Lock::Output => (
+                ("an output of its block", "uma saída do seu bloco"),
+                (
+                    "only the block changes it; store in one of its inputs",
+                    "só o bloco a muda; guarde em uma das entradas dele",
+                ),
+            ),
+            Lock::Sensor => (
+                (
+                    "an input, which only its sensor changes",
+                    "uma entrada, que só o seu sensor muda",
+                ),
+                (
+                    "store in an output (%QX1) or a variable",
+                    "guarde em uma saída (%QX1) ou em uma variável",
+                ),
+            ),
+        };
+        (what.into(), help.into())
     }
 }
