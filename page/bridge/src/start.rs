@@ -25,7 +25,7 @@ pub fn known(text: &str) -> Option<Known> {
     (text == TEXT).then(|| read(MADE)).flatten()
 }
 
-/// Reads what [`write`](tests::write) has written.
+/// Reads what the test of this file has written.
 fn read(made: &str) -> Option<Known> {
     let (head, code) = made.split_once("\n\n")?;
     let mut known = Known {

@@ -72,10 +72,6 @@ impl Coder<'_, '_> {
         }
         let at = first_at(&bit).unwrap_or(self.pen.at);
         self.placed(at, |this| this.pen.fresh());
-        if self.has_rungs() {
-            // A rung that is drawn loads what it compares.
-            self.pen.holds = None;
-        }
         self.start(&bit);
         // Nothing but a coil changes one of these.
         if let Bit::Contact(Contact {
@@ -249,6 +245,10 @@ impl Coder<'_, '_> {
                 self.changes();
             }
             Bit::Test(op, a, b, at) => {
+                if self.has_rungs() {
+                    // Each comparison that is drawn loads what it compares.
+                    self.pen.holds = None;
+                }
                 self.placed(*at, |this| this.compare(*op, a, b));
                 self.changes();
             }

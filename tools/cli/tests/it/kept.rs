@@ -128,12 +128,12 @@ fn instruction_list_without_room_for_two_records_is_refused_with_what_is_lacking
     for (lang, lacking, room) in [
         (
             "C",
-            "; 28 bytes of program memory are lacking.",
+            "; 41 bytes of program memory are lacking.",
             "retained variables need room for two records",
         ),
         (
             "pt_BR.UTF-8",
-            "; faltam 28 bytes de memória de programa.",
+            "; faltam 41 bytes de memória de programa.",
             "variáveis retidas precisam de lugar para duas gravações",
         ),
     ] {

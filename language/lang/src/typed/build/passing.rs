@@ -9,7 +9,7 @@ use super::named::{Param, Section};
 use super::places::Target;
 use crate::diagnostics::{Code, Span};
 use crate::typed::{Base, Call, Convert, ExprKind, Input, Output, Place, Stmt};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 impl Builder<'_, '_> {
     /// Gives each argument to its parameter. For an instance, the stores of its outputs come back.
@@ -59,11 +59,18 @@ impl Builder<'_, '_> {
         let mut right = true;
         let mut seen = HashSet::new();
         let mut next = 0;
+        let named = params.iter().enumerate().filter(|_| with_names > 0);
+        // Of two with one name the first is meant.
+        let slots: HashMap<String, usize> = named
+            .rev()
+            .map(|(slot, (param, _))| (self.key(&param.name), slot))
+            .collect();
+        let mut room = [0; 32];
         for argument in arguments {
             let found = match &argument.name {
                 Some((written, _)) => {
-                    let key = self.key(written);
-                    params.iter().position(|(p, _)| self.key(&p.name) == key)
+                    let named = slots.get(&*self.folded(written, &mut room));
+                    named.copied()
                 }
                 None => {
                     while params.get(next).is_some_and(|(p, _)| !takes(p)) {
