@@ -4,7 +4,7 @@
 
 use super::coder::Coder;
 use super::logic::{Bit, Contact, begins, is_block};
-use super::pen::{Acc, Line, Written};
+use super::pen::Acc;
 use super::seats::Seat;
 use crate::diagnostics::Span;
 use crate::typed::Expr;
@@ -33,17 +33,6 @@ fn first_at(part: &Bit) -> Option<Span> {
     }
 }
 
-/// How many contacts of this bit it has.
-fn contacts(part: &Bit, of: Seat) -> usize {
-    match part {
-        Bit::Is(_) | Bit::Test(..) => 0,
-        Bit::Contact(contact) => usize::from(contact.seat == of),
-        Bit::And(parts) | Bit::Or(parts) | Bit::Xor(parts, _) => {
-            parts.iter().map(|part| contacts(part, of)).sum()
-        }
-    }
-}
-
 /// The cell of its first contact.
 fn first_cell(part: &Bit) -> Option<u32> {
     match part {
@@ -65,7 +54,6 @@ impl Coder<'_, '_> {
         if let Acc::Bit(held) = self.pen.acc {
             let mut turned = bit.clone();
             if begins(&mut turned, held) && self.goes_on(&turned, held) {
-                self.spare_coil(&turned, held);
                 self.go_on(&turned);
                 return;
             }
@@ -101,32 +89,6 @@ impl Coder<'_, '_> {
                 let is_point = matches!(held, Seat::At(Address::Marker(_) | Address::Output(_)));
                 !is_point || !self.named.contains_key(&cell)
             }),
-        }
-    }
-
-    /// Takes back the coil that was written last, of a bit of the compiler's own that nothing but this logic's first
-    /// contact reads: a chain that was cut in parts is one again.
-    fn spare_coil(&mut self, bit: &Bit, held: Seat) {
-        let Some(Line {
-            written: Written::Is(coil),
-            cell: Some(cell),
-            ..
-        }) = self.pen.lines.last()
-        else {
-            return;
-        };
-        let cell = *cell;
-        let is_own = self.flat.cells.get(cell as usize);
-        let is_own = is_own.is_some_and(|cell| cell.scratch);
-        let of = self.uses.get(cell);
-        let is_once = of.is_some_and(|of| of.reads == 1 && of.stores == 1);
-        let is_its = self.seats.of.get(&cell) == Some(&held) && contacts(bit, held) == 1;
-        if coil.opcode == Opcode::MarkerCoil && is_own && is_once && is_its {
-            self.pen.lines.pop();
-            let last = self.pen.lines.len();
-            for noted in &mut self.noted {
-                noted.line = noted.line.min(last.saturating_sub(1));
-            }
         }
     }
 

@@ -3,7 +3,7 @@
 //! Owns stores, coils and labels. Must not know expressions, nor the numbers of labels and timers.
 
 use super::flat::Flat;
-use super::pen::{Acc, Pen};
+use super::pen::{Acc, Line, Pen, Written};
 use super::seats::{Seat, Seats};
 use super::traces::Noted;
 use super::uses::Uses;
@@ -152,6 +152,35 @@ impl Coder<'_, '_> {
             && held == seat
         {
             self.pen.acc = Acc::Other;
+        }
+    }
+
+    /// Takes back the coils of bits of the compiler's own that no instruction names beside: what follows each has taken it
+    /// from acc.
+    pub(super) fn spare_coils(&mut self) {
+        let is_coil = |line: &Line| matches!(&line.written, Written::Is(is) if is.opcode == Opcode::MarkerCoil);
+        let others = self.pen.lines.iter().filter(|line| !is_coil(line));
+        let named: HashSet<u32> = others.filter_map(|line| line.cell).collect();
+        let is_spare = |line: &Line| {
+            let own = line.cell.filter(|cell| !named.contains(cell));
+            let own = own.and_then(|cell| self.flat.cells.get(cell as usize));
+            is_coil(line) && own.is_some_and(|cell| cell.scratch)
+        };
+        // How many lines stay as far as each, itself among them.
+        let mut staying = 0;
+        let stay: Vec<usize> = self
+            .pen
+            .lines
+            .iter()
+            .map(|line| {
+                staying += usize::from(!is_spare(line));
+                staying
+            })
+            .collect();
+        self.pen.lines.retain(|line| !is_spare(line));
+        for noted in &mut self.noted {
+            let stay = stay.get(noted.line).copied().unwrap_or(staying);
+            noted.line = stay.saturating_sub(1);
         }
     }
 

@@ -220,6 +220,7 @@ fn lower(
     coder.first_values(tree);
     coder.steps(&flat.body);
     coder.leave();
+    coder.spare_coils();
     let finished = finish::finish(&coder, tree, text, (&flat.loops, board), found);
     let mut finished = finished;
     if let Some(list) = &written.list {
