@@ -2,11 +2,7 @@
 //!
 //! Owns what is known of the board behind one. Must not know how a text writes them.
 
-use super::coder::Coder;
-use super::flat::Step;
-use super::pen::Acc;
 use crate::diagnostics::Span;
-use crate::typed::Expr;
 use unoclp_core::isa::{Class, Kind, Opcode, Row, TABLE};
 use unoclp_point::Address;
 
@@ -85,33 +81,4 @@ pub(super) fn named(codes: &[(i32, Span)]) -> Vec<Address> {
 pub(crate) fn begins(code: i32) -> bool {
     let opcodes = [Opcode::NewRung, Opcode::If, Opcode::Else, Opcode::EndIf];
     opcodes.iter().any(|opcode| opcode.row().code == code) || label(code).is_some()
-}
-
-impl Coder<'_, '_> {
-    pub(super) fn codes(
-        &mut self,
-        before: Option<&Expr>,
-        codes: &[(i32, Span)],
-        behind: Option<u32>,
-        next: Option<&Step>,
-    ) {
-        if let Some(before) = before {
-            let before = self.prepare(before.clone());
-            self.bit(&before, false);
-        }
-        let Some((first, _)) = codes.first() else {
-            return;
-        };
-        self.pen.codes(codes, begins(*first));
-        let Some(cell) = behind.filter(|cell| self.uses.get(*cell).is_some_and(|of| of.reads > 0))
-        else {
-            return;
-        };
-        if let Some(seat) = self.seats.of.get(&cell).copied() {
-            match self.takes(next, cell, seat) {
-                true => self.pen.acc = Acc::Bit(seat),
-                false => self.drive_any(seat, cell),
-            }
-        }
-    }
 }

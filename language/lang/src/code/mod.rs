@@ -21,7 +21,7 @@
 //! - `logic`, `bits`, `compare`, `numbers`: what is left of an expression
 //! - `coder`, `statements`, `assign`, `copy`, `choice`, `case`: statements; `blocks`: the blocks of the norm; `counters`:
 //!   those of the board that count, and what is done to counters and timers beside their calls
-//! - `codes`: instructions that the text says by their codes
+//! - `codes`, `verbatim`: instructions that the text says by their codes
 //! - `pen`: what acc and value hold; `variables`, `noting`, `traces`: what is shown of it while it runs
 //! - `finish`: labels, first values, what is kept, the cost of loops
 
@@ -66,6 +66,7 @@ mod traces;
 mod uses;
 mod values;
 mod variables;
+mod verbatim;
 
 pub(crate) use codes::begins;
 

@@ -3,8 +3,8 @@
 //! Owns what is told of one that is not there.
 
 use super::builder::Builder;
-use super::named::Section;
-use super::places::{Lock, Target};
+use super::named::{Lock, Section};
+use super::places::Target;
 use super::words::both;
 use crate::diagnostics::{Code, Span};
 use crate::typed::standard::Role;

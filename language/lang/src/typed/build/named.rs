@@ -65,6 +65,18 @@ pub(crate) enum Letters {
     Apart,
 }
 
+/// Why nothing can be stored in a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lock {
+    Constant,
+    /// An input of the unit.
+    Input,
+    /// An output of a block.
+    Output,
+    /// An input of the board.
+    Sensor,
+}
+
 /// What a name stands for.
 #[derive(Clone, Debug)]
 pub(crate) enum Named {

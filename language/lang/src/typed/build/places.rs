@@ -1,7 +1,7 @@
 //! Names, members and subscripts: from what is written to a place.
 
 use super::builder::{Builder, Draft};
-use super::named::{Named, Section, Variable};
+use super::named::{Lock, Named, Section, Variable};
 use super::points::point_base;
 use super::words::both;
 use crate::diagnostics::{Code, Span, Word};
@@ -21,18 +21,6 @@ pub(crate) struct Target {
     /// Whether it is the name of a unit's own result.
     pub result: bool,
     pub at: Span,
-}
-
-/// Why nothing can be stored in a place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Lock {
-    Constant,
-    /// An input of the unit.
-    Input,
-    /// An output of a block.
-    Output,
-    /// An input of the board.
-    Sensor,
 }
 
 impl Draft {

@@ -1,8 +1,7 @@
 //! Words that messages put together, in both languages.
 
 use super::builder::Builder;
-use super::named::Named;
-use super::places::Lock;
+use super::named::{Lock, Named};
 use crate::diagnostics::Word;
 use crate::typed::{Kind, TypeId, UnitKind};
 
