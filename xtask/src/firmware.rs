@@ -1,7 +1,7 @@
 //! `cargo xtask firmware`: builds the firmware of each board, measures and checks it.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
@@ -125,45 +125,24 @@ pub fn build(toolchain: &Toolchain, board: Model) -> Result<Firmware> {
     Ok(firmware)
 }
 
-/// Has the firmware compiled to assembly, and says how rustc has linked it. Where nothing has changed, cargo finds that it
-/// is compiled, and what rustc printed then still holds.
+/// Has the firmware compiled to assembly, and says how rustc has linked it.
 fn compile(toolchain: &Toolchain, board: Model) -> Result<Link> {
-    let folder = target_folder(board);
-    let (printed, noted) = (folder.join("link-args"), folder.join("made-by"));
-    let by = made_by(toolchain)?;
-    let is_same = fs::read_to_string(&noted).is_ok_and(|before| before == by);
-    if !(is_same && printed.exists()) {
-        // Builds with other tools or flags stand beside each other, and what is printed is of one alone.
-        remove_elfs(&folder.join("avr-none/firmware/deps"))?;
-    }
-    let mut rustc = cargo(toolchain, "rustc", board);
-    rustc.args(["--", "--emit=asm,link"]);
-    shell::run(rustc.arg(format!("--print=link-args={}", printed.display())))?;
-    fs::write(&noted, by).with_context(|| format!("cannot write {}", noted.display()))?;
-    let text = fs::read_to_string(&printed)
-        .with_context(|| format!("cannot read {}", printed.display()))?;
-    Link::parse(&text)
-}
-
-/// The tools, and the files that say with which flags they build.
-fn made_by(toolchain: &Toolchain) -> Result<String> {
-    let mut by = toml::to_string(&toolchain.tools()?)?;
-    for name in [".cargo/config.toml", "Cargo.toml"] {
-        let path = shell::root().join(name);
-        by += &fs::read_to_string(&path)
-            .with_context(|| format!("cannot read {}", path.display()))?;
-    }
-    Ok(by)
-}
-
-fn remove_elfs(folder: &Path) -> Result<()> {
-    for file in fs::read_dir(folder).into_iter().flatten() {
+    // Where cargo finds an ELF that was made with the same flags, rustc does not run, and what is printed
+    // may be of a build with others.
+    let results = target_folder().join("avr-none/firmware/deps");
+    for file in fs::read_dir(&results).into_iter().flatten() {
         let path = file?.path();
         if path.extension().is_some_and(|extension| extension == "elf") {
             fs::remove_file(&path).with_context(|| format!("cannot remove {}", path.display()))?;
         }
     }
-    Ok(())
+    let printed = target_folder().join("link-args");
+    let mut rustc = cargo(toolchain, "rustc", board);
+    rustc.args(["--", "--emit=asm,link"]);
+    shell::run(rustc.arg(format!("--print=link-args={}", printed.display())))?;
+    let text = fs::read_to_string(&printed)
+        .with_context(|| format!("cannot read {}", printed.display()))?;
+    Link::parse(&text)
 }
 
 /// A cargo command on the firmware of a board.
@@ -174,13 +153,14 @@ pub fn cargo(toolchain: &Toolchain, subcommand: &str, board: Model) -> Command {
         .env("UNOCLP_BOARD", board.name())
         .args(["--package=unoclp-firmware", "--profile=firmware"])
         .arg("--target-dir")
-        .arg(target_folder(board));
+        .arg(target_folder());
     cargo
 }
 
 /// The shortened firmware of a board before it is checked, with its assembly beside it.
 pub fn shortened(board: Model) -> PathBuf {
-    target_folder(board).join("shortened/unoclp.elf")
+    let folder = target_folder().join("shortened").join(board.name());
+    folder.join("unoclp.elf")
 }
 
 /// Where builds are left.
@@ -204,10 +184,9 @@ fn product(board: Model) -> &'static str {
     }
 }
 
-/// The AVR build of each board has a folder of its own: the simulator's tests may run cargo meanwhile, and what one board's
-/// build leaves is still of use after the other's.
-fn target_folder(board: Model) -> PathBuf {
-    shell::root().join("target/avr").join(board.name())
+/// The AVR build has a folder of its own: the simulator's tests may run cargo meanwhile.
+fn target_folder() -> PathBuf {
+    shell::root().join("target/avr")
 }
 
 /// What room a program has on the board.

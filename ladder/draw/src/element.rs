@@ -96,7 +96,7 @@ impl Element {
         Element::new(step, role, Symbol::Box { text, notes }, point)
     }
 
-    /// Whether it is an output that what follows may leave after on a branch.
+    /// Whether it is an output that what follows may leave on a branch.
     pub(crate) fn is_output(&self) -> bool {
         self.role == Role::Output
     }

@@ -23,7 +23,7 @@
 //!
 //! What simavr does not model as the chip has it, and this crate does: the serial port (buffers, errors, interrupts and
 //! times of the line, [`Uno::send_serial`]), the converter ([`Uno::set_analogue`]), the time that an EEPROM write takes,
-//! what a power cut leaves after ([`Uno::power_up`]), the supply voltage, and the stock boot loader's way with MCUSR
+//! what a power cut leaves behind ([`Uno::power_up`]), the supply voltage, and the stock boot loader's way with MCUSR
 //! ([`Uno::set_boot_loader`]).
 //!
 //! What simavr does not model, and this crate does not add:

@@ -5,7 +5,7 @@ use crate::isa::{Class, JUMP_BUDGET, Opcode};
 use crate::width::ANALOGUE;
 use crate::{Cause, Fault, Image, Millis, Needs, Steps};
 
-/// What an instruction leaves after.
+/// What an instruction leaves behind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct After {
     /// The result of the rung so far (NC-6).

@@ -29,7 +29,7 @@ pub async fn talk(client: &mut Client, desk: &Desk, mut reset: bool) {
             Err(why) => both(|lang| words::not_found(lang, &why)),
         };
         desk.tell(News::Lost { why: lost.clone() });
-        // Nothing that was ordered is done after a person's back, once the board is there again.
+        // Nothing that was ordered is done behind a person's back, once the board is there again.
         for (order, _) in desk.orders.take() {
             let why = lost.clone();
             desk.tell(News::Undone { order, why });

@@ -1,5 +1,5 @@
 // What the EEPROM holds, through resets and power cuts. avr8js tells of a write as it begins, and its registers wait
-// until it ends; what a power cut in between leaves after is settled here.
+// until it ends; what a power cut in between leaves behind is settled here.
 
 import { type EEPROMBackend, eepromConfig } from "avr8js";
 import { EEPROM_LEN } from "../messages";

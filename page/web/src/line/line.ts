@@ -1,4 +1,4 @@
-// The line to a board: bytes out, bytes in. What is after it, a simulated board or a port, nobody else knows.
+// The line to a board: bytes out, bytes in. What is at its other end, a simulated board or a port, nobody else knows.
 
 import type { SerialFormat } from "unoclp-uno";
 

@@ -72,7 +72,7 @@ export class PortLine implements Line {
       try {
         for (let part = await this.reader.read(); !part.done; part = await this.reader.read()) this.listener?.bytes(part.value);
       } catch {
-        // A framing error leaves a new stream after; a board that is unplugged leaves none.
+        // A framing error leaves a new stream behind; a board that is unplugged leaves none.
       } finally {
         this.reader.releaseLock();
         this.reader = null;

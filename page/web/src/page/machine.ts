@@ -232,15 +232,22 @@ export class MachineArea {
     symbol.classList.add("touch");
     for (const [key, value] of [["tabindex", "0"], ["role", "button"], ["aria-label", name], ["aria-pressed", "false"]] as const) symbol.setAttribute(key, value);
     let is = 0;
-    // Since when the machine has known it pressed, and whether it is to be let go.
+    // Since when the machine has known it pressed, whether that is long enough, and whether it is to be let go.
     let since: number | null = null;
+    let isLong = false;
     let isLeft = false;
     const press = (): void => {
-      [since, isLeft] = [null, false];
+      [since, isLong, isLeft] = [null, false, false];
       this.hand(hand, hand.isHeld ? hand.high : is ? hand.low : hand.high);
+    };
+    const letGo = (): void => {
+      if (!isLeft || !isLong) return;
+      isLeft = false;
+      this.hand(hand, hand.low);
     };
     const release = (): void => {
       isLeft = hand.isHeld;
+      letGo();
     };
     symbol.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
@@ -259,10 +266,8 @@ export class MachineArea {
     symbol.addEventListener("blur", release);
     return (value, at) => {
       since = value === hand.high ? (since ?? at) : null;
-      if (isLeft && since !== null && at >= since + TAP) {
-        isLeft = false;
-        this.hand(hand, hand.low);
-      }
+      isLong = since !== null && at >= since + TAP;
+      letGo();
       if (value === is) return;
       is = value;
       symbol.setAttribute("aria-pressed", String(is !== 0));

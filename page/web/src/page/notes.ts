@@ -13,7 +13,8 @@ export interface Offer {
   take(): void;
 }
 
-/** Shows a note, and what it offers, for a while; one without which the page is of no use stays. */
+/** Shows a note, and what it offers, for a while, which begins again with each step by keyboard: who goes to it so gets there;
+ * one without which the page is of no use stays. */
 export function note(text: string, offer?: Offer, stays = false): void {
   const notes = byId("notes");
   const close = (): void => shown.remove();
@@ -22,7 +23,16 @@ export function note(text: string, offer?: Offer, stays = false): void {
     h("button", { type: "button", "aria-label": say("close"), click: close }, "×"));
   while (notes.children.length > 2) notes.firstElementChild?.remove();
   notes.append(shown);
-  if (!stays) setTimeout(close, LASTS);
+  if (stays) return;
+  let ends = setTimeout(close, LASTS);
+  const step = ({ key }: KeyboardEvent): void => {
+    if (!shown.isConnected) document.removeEventListener("keydown", step);
+    else if (key === "Tab") {
+      clearTimeout(ends);
+      ends = setTimeout(close, LASTS);
+    }
+  };
+  document.addEventListener("keydown", step);
 }
 
 /** Has a screen reader say it, even if it has just said the same. */

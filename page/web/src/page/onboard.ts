@@ -39,8 +39,10 @@ export class OnBoard {
     const { on: { value: on }, seen: { value: seen }, upload: { value: upload } } = bench;
     if (seen && upload === null && seen.same !== true) await this.recognise(seen.kept);
     if (seen?.same === true && on) await this.know(on, seen.kept);
-    const written = this.program.looked.value?.checked.program ?? null;
-    const hasOther = seen !== null && upload === null && seen.state !== "FAULT" && seen.same !== true && !this.candidate(seen.kept);
+    const looked = this.program.looked.value;
+    const written = looked?.checked.program ?? null;
+    // Until it is watched by the program that it keeps, names of another would be wrong.
+    const hasOther = seen !== null && upload === null && seen.state !== "FAULT" && seen.same !== true && this.candidate(seen.kept) !== looked?.text;
     this.shown.value = hasOther ? written && nameless(written) : on && this.known ? this.known.made : (written ?? this.shown.value);
   }
 

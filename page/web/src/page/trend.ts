@@ -103,7 +103,7 @@ export class Trend {
     for (const point of this.points) {
       // The simulated board tells its pins by itself, to the microsecond.
       if (point.hand === "force") continue;
-      // A timer that begins to run has its cause after it, one that has come to its end has its effect before it.
+      // A timer that begins to run has its cause before it, one that has come to its end has its effect after it.
       const runs = point.kind === "meter" && recorder.last(point.name) === 0 && point.value(seen) < (point.preset?.(seen) ?? 0);
       recorder.note(point.name, runs ? at : moment, point.value(seen), point.kind === "bit");
     }

@@ -128,7 +128,7 @@ test("what a teacher serves stands first in the list and in the gallery", async 
   ]);
   await served("machines.json", [{ ...plant, title: { en: "Porch", pt: "Varanda" }, about: { en: "A lamp.", pt: "Uma lâmpada." }, isOwn: true }]);
   await page.click("#exercises");
-  await page.locator("#notes", { hasText: "as an exercise it cannot be opened" }).waitFor();
+  await page.locator("#notes", { hasText: "cannot be opened as an exercise" }).waitFor();
   assert.equal(await page.locator("#exercise-list optgroup").first().getAttribute("label"), "Of your class");
   await solve(page);
   await page.click("#machines");
@@ -145,15 +145,15 @@ const HEAD = 'title = "t"\n[[part]]\nname = "b"\nkind = "button"\nto = "I1"\n';
 const part = (more) => `${HEAD}[[part]]\nname = "x"\n${more}\n`;
 /** Machines that are none, and what is said of them. @type {[string, string, Said][]} */
 const BAD = [
-  ["a part called <script>", 'title = "t"\n[[part]]\nname = "<script>alert(1)</script>"\nkind = "button"\n', [/no name for a part/, /não é um nome de elemento/]],
+  ["a part called <script>", 'title = "t"\n[[part]]\nname = "<script>alert(1)</script>"\nkind = "button"\n', [/cannot be the name of a part/, /não é um nome de elemento/]],
   ["no such kind", part('kind = "rocket"'), [/bad\.toml:.*`kind` cannot be/, /bad\.toml:.*`kind` não pode ser/]],
   ["an input that two switch", part('kind = "button"\nto = "I1"'), [/bad\.toml:/, /bad\.toml:/]],
   ["an input that the board lacks", part('kind = "button"\nto = "I40"'), [/bad\.toml:/, /bad\.toml:/]],
-  ["a unit that is none", part('kind = "tank"\nholds = "5 bananas"'), [/a number with its unit/, /um número com a unidade/]],
+  ["a unit that is none", part('kind = "tank"\nholds = "5 bananas"'), [/a number with a unit/, /um número com unidade/]],
   ["a circle", `${HEAD}${["x", "y"].map((name, at) => `[[part]]\nname = "${name}"\nkind = "lamp"\nby = "${["y", "x"][at]}.lit"\n`).join("")}`, [/bad\.toml:/, /bad\.toml:/]],
   ["10,000 parts", `title = "t"\n${Array.from({ length: 10_000 }, (_, at) => `[[part]]\nname = "a${at}"\nkind = "lamp"\nby = "Q1"\n`).join("")}`, [/more than 100/, /mais de 100/]],
   ["a rule that is no condition", `${HEAD}[[never]]\nwhen = "b.pressed := 1"\n`, [/bad\.toml:/, /bad\.toml:/]],
-  ["HTML that says parts", "<html><script>alert(1)</script>\n[[part]]\n</html>\n", [/no TOML/, /não é TOML/]],
+  ["HTML that says parts", "<html><script>alert(1)</script>\n[[part]]\n</html>\n", [/not TOML/, /não é TOML/]],
 ];
 
 for (const [index, locale] of ["en-US", "pt-BR"].entries()) {
@@ -173,9 +173,9 @@ for (const [index, locale] of ["en-US", "pt-BR"].entries()) {
     // An exercise that is HTML, one whose words are, and a link that holds neither.
     await page.evaluate(() => document.getElementById("notes")?.replaceChildren());
     await choose(page, "page.toml", Buffer.from("<html><body>404</body></html>"));
-    await page.locator("#notes", { hasText: index === 0 ? /cannot be opened/ : /não dá para abri-lo/ }).waitFor();
+    await page.locator("#notes", { hasText: index === 0 ? /cannot be opened/ : /não pode ser aberto/ }).waitFor();
     await page.evaluate(() => void (location.hash = "#x=%%%"));
-    await page.locator("#notes", { hasText: index === 0 ? /does not hold/ : /não contém/ }).waitFor();
+    await page.locator("#notes", { hasText: index === 0 ? /contains no program/ : /não contém/ }).waitFor();
     const markup = '<img src=x onerror="alert(1)">';
     await drop(page, [["words.toml", `title = '${markup}'\ntask = '${markup}'\nhints = ['${markup}']\n[[case]]\ntitle = '${markup}'\nuntil = 5\n`]]);
     await page.locator("#exercise h3", { hasText: markup }).waitFor();

@@ -22,6 +22,8 @@ pub const OCR0A: u16 = 0x47;
 pub const SPCR: u16 = 0x4C;
 /// Why the chip was reset; PORF is bit 0, EXTRF bit 1, WDRF bit 3.
 pub const MCUSR: u16 = 0x54;
+/// Writing the flash; where it is not 0, `lpm` may read something else.
+pub const SPMCSR: u16 = 0x57;
 /// Stack pointer: SPL, then SPH.
 pub const SP: u16 = 0x5D;
 /// Watchdog control; WDE is bit 3, WDIE bit 6.

@@ -37,7 +37,7 @@ const AHEAD: u64 = 10 * CYCLES_PER_MS;
 /// The line is quiet once nothing has been on it for so long, cycles: an answer may take a while.
 const QUIET: u64 = 20 * CYCLES_PER_MS;
 
-/// How a board goes after its port.
+/// How the board at a port goes on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// When simulated time is held back.

@@ -115,11 +115,12 @@ impl Uno {
         self.check_halt()?;
         let end = self.cycles().saturating_add(cycles);
         self.wired.leave = Leave { end, stop: None };
-        self.hurry(end, None);
-        while self.cycles() < end && self.advance() {
+        loop {
             self.hurry(end, None);
+            if self.cycles() >= end || !self.advance() {
+                return self.check_halt();
+            }
         }
-        self.check_halt()
     }
 
     /// Runs for at least `ms` milliseconds; see [`Uno::run_cycles`].

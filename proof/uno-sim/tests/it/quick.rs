@@ -33,8 +33,7 @@ fn the_firmware_does_the_same_one_step_after_the_other() {
     let random = &mut Random(7);
     for name in PROGRAMS {
         let text = std::fs::read_to_string(root.join(name)).unwrap();
-        let [mut quick, mut slow] =
-            [(); 2].map(|()| common::uno(Slot::Card(common::card(&text))));
+        let [mut quick, mut slow] = [(); 2].map(|()| common::uno(Slot::Card(common::card(&text))));
         while slow.cycles() < SPAN {
             let cycles = 1 + random.below(20_000) as u64;
             let end = slow.cycles() + cycles;

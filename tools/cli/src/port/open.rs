@@ -51,7 +51,7 @@ pub enum NotOpened {
     },
 }
 
-/// Opens the port of a place. Also tells whether that has probably reset an UNO after it.
+/// Opens the port of a place. Also tells whether that has probably reset an UNO there.
 ///
 /// # Errors
 /// Where the port is not there or may not be used.

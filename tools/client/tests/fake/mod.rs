@@ -8,7 +8,7 @@ pub use device::{Board, FAULT, RUN, STOP, kept};
 use unoclp_modbus::map::holding;
 use unoclp_modbus::{Crc, Exception, Exchange, FRAME_BYTES, lock, refuse};
 
-/// What becomes of a request, before the board or after it.
+/// What becomes of a request, on its way to the board or there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fate {
     /// It is answered.

@@ -90,7 +90,7 @@ impl Parser<'_, '_> {
         true
     }
 
-    /// Goes after the statement that is wrong.
+    /// Goes past the statement that is wrong.
     pub(super) fn recover(&mut self) {
         let start = self.at;
         let mut open = 0_u32;

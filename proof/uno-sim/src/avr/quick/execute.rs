@@ -1,12 +1,16 @@
 //! One quick instruction.
 
 use super::kind::{Kind, is_long};
+use crate::avr::reg;
+use crate::program::RAM_END;
 
 const X: usize = 26;
 const Y: usize = 28;
 const Z: usize = 30;
-const SPMCSR: usize = 87;
-const SP: usize = 93;
+const SPMCSR: usize = reg::SPMCSR as usize;
+const SP: usize = reg::SP as usize;
+/// Bytes of the data space.
+pub const DATA: usize = RAM_END as usize + 1;
 /// First address of the RAM: what lies below may be more than memory.
 const RAM: u16 = 0x100;
 
@@ -23,7 +27,7 @@ mod flag {
 
 /// What these instructions work on.
 pub struct Machine<'a> {
-    pub data: &'a mut [u8; 0x900],
+    pub data: &'a mut [u8; DATA],
     /// A byte for each flag, as simavr has them.
     pub sreg: &'a mut [u8; 8],
     pub flash: &'a [u8],
@@ -176,7 +180,7 @@ impl Machine<'_> {
             Kind::Call => return self.call(u32::from(self.word(next)?) << 1, pc + 4, 4, pc),
             Kind::Ret => {
                 let sp = self.pair(SP).wrapping_add(2);
-                if !(RAM + 1..0x900).contains(&sp) {
+                if !(RAM + 1..DATA as u16).contains(&sp) {
                     return None;
                 }
                 let [high, low] = [sp - 1, sp].map(|at| self.data[usize::from(at)]);
@@ -261,7 +265,7 @@ impl Machine<'_> {
     fn call(&mut self, to: u32, back: u32, cycles: u64, pc: u32) -> Option<Place> {
         self.accept(to, pc)?;
         let sp = self.pair(SP);
-        if !(RAM + 1..0x900).contains(&sp) {
+        if !(RAM + 1..DATA as u16).contains(&sp) {
             return None;
         }
         let [low, high] = ((back >> 1) as u16).to_le_bytes();

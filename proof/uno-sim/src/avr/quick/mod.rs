@@ -10,8 +10,7 @@ mod kind;
 mod tests;
 
 use super::Avr;
-use crate::program::RAM_END;
-use execute::Machine;
+use execute::{DATA, Machine};
 use kind::{KINDS, Kind};
 use simavr_ffi as ffi;
 
@@ -19,8 +18,6 @@ use simavr_ffi as ffi;
 const LONGEST: u64 = 4;
 /// Bytes of the longest instruction that is skipped, with the skip.
 const MOST: u32 = 6;
-/// Bytes of the data space.
-const DATA: usize = RAM_END as usize + 1;
 
 /// How far they go.
 #[derive(Clone, Copy, Debug)]

@@ -2,12 +2,13 @@
 
 use super::kind::{KINDS, Kind};
 use super::{Avr, Far};
+use crate::avr::reg;
 use crate::program::FLASH_LEN;
 use simavr_ffi as ffi;
 use unoclp_testing::Random;
 
-const SPMCSR: usize = 87;
-const SP: usize = 93;
+const SPMCSR: usize = reg::SPMCSR as usize;
+const SP: usize = reg::SP as usize;
 const SREG: usize = 95;
 /// What may stand after a skip, one word and each of two, and places in RAM.
 const NEXT: [u16; 10] = [
