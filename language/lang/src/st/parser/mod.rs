@@ -11,6 +11,7 @@
 mod choice;
 mod compound;
 mod declare;
+mod dialect;
 mod expression;
 mod initial;
 mod list;

@@ -87,6 +87,7 @@ impl Parser<'_, '_> {
                 return Err(Told);
             }
             keyword if keyword.is_section() => return self.late_section(start),
+            Keyword::None if self.other_dialect() => return Err(Told),
             Keyword::None => return self.simple_statement(start),
             _ => {
                 let what = ("a statement", "um comando");

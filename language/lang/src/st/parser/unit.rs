@@ -70,6 +70,7 @@ impl Parser<'_, '_> {
                     );
                     self.next();
                 }
+                _ if self.other_dialect() => return file,
                 _ if self.headless_unit(&mut file) => {}
                 _ => self.bare(&mut file),
             }
@@ -203,6 +204,9 @@ impl Parser<'_, '_> {
     fn head(&mut self, kind: UnitKind) -> Parsed<(Name, Option<TypeSpec>)> {
         let help = ("give it a name", "dê um nome a isso");
         let name = self.name(("a name", "um nome"), help)?;
+        if self.other_dialect() {
+            return Err(Told);
+        }
         if self.is(Kind::Word) && self.keyword() == Keyword::None && !self.on_new_line() {
             let help = (
                 "a unit has one name, of one word",
