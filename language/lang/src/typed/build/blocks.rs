@@ -89,9 +89,14 @@ impl Builder<'_, '_> {
         &mut self,
         block: Standard,
         target: Target,
-        arguments: Vec<Argument>,
+        mut arguments: Vec<Argument>,
         at: Span,
     ) -> Vec<Stmt> {
+        for (name, _) in arguments.iter_mut().filter_map(|one| one.name.as_mut()) {
+            if let Some((_, part)) = block.part(&name.to_uppercase()) {
+                part.0.clone_into(name);
+            }
+        }
         let written = self.written(target.at);
         let timed = !matches!(block, Standard::Sr | Standard::Rs);
         if timed && self.loops > 0 {

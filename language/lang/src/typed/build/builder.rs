@@ -78,6 +78,8 @@ pub(crate) struct Builder<'t, 'f> {
     /// The variables that count open loops.
     pub(super) counters: Vec<(Root, u32)>,
     pub(super) called: HashMap<Instance, Span>,
+    /// Inputs that their own units change, by the unit and the offset, which has been told.
+    pub(super) inputs_written: HashSet<(Option<usize>, u32)>,
     /// Calls of blocks of the text, of which some have timers within.
     pub(super) calls: Vec<BlockCall>,
     pub(super) writes: bool,
@@ -114,6 +116,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             loops: 0,
             counters: Vec::new(),
             called: HashMap::new(),
+            inputs_written: HashSet::new(),
             calls: Vec::new(),
             writes: false,
             lenient: false,
