@@ -41,7 +41,7 @@ mod tests {
             ("on", Base::Bool, None),
             ("T#2s", Base::Int, None),
         ] {
-            assert_eq!(given(text, base, &[]), value, "{text}");
+            assert_eq!(given(text, base, &Enumeration::default()), value, "{text}");
         }
         assert_eq!(given("green", Base::Int, &colors), Some(Value::Int(1)));
     }

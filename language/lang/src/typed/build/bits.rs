@@ -57,7 +57,7 @@ impl Builder<'_, '_> {
         let ty = TypeId::of(base);
         let bit = mask(base, place);
         let others = match base.range() {
-            Some((least, most)) if least == 0 => Value::Int(most - bit.int()),
+            Some((0, most)) => Value::Int(most - bit.int()),
             _ => Value::Int(-1 - bit.int()),
         };
         let (bit, others) = (self.literal(base, bit, at), self.literal(base, others, at));
