@@ -1,6 +1,6 @@
 //! Calls of instances: blocks of the text and of the norm.
 //!
-//! Owns that an instance of a timer or a counter has one call, not in a loop; an edge may have several.
+//! Owns that an instance of a timer or a counter has one call, not in a loop; others may have several, anywhere.
 
 use super::arguments::{Argument, Params};
 use super::builder::{BlockCall, Builder, Instance};
@@ -98,15 +98,13 @@ impl Builder<'_, '_> {
             }
         }
         let written = self.written(target.at);
-        let timed = !matches!(block, Standard::Sr | Standard::Rs);
-        if timed && self.loops > 0 {
+        let once = block.has_one_call();
+        if once && self.loops > 0 {
             let words = [written.clone().into(), block.name().into()];
             self.tell(Code::StCalledInLoop, target.at, words);
         }
         let key = self.instance(&target);
-        let once = block.has_one_call();
-        if timed && let Some(draft) = self.here() {
-            draft.timed = true;
+        if let Some(draft) = self.here() {
             draft.once |= once;
         }
         if once && self.called.insert(key, at).is_some() {

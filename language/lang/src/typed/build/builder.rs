@@ -26,8 +26,6 @@ pub(crate) struct Draft {
     pub closed: bool,
     /// Of a function: its result is stored somewhere.
     pub gives: bool,
-    /// It calls a timer, a counter or an edge.
-    pub timed: bool,
     /// Something in it has one call in a program.
     pub once: bool,
     /// A declaration in it is wrong, so that not all of its names are known.
@@ -206,7 +204,6 @@ impl<'t, 'f> Builder<'t, 'f> {
             result: None,
             closed: kind != UnitKind::Block,
             gives: false,
-            timed: false,
             once: false,
             incomplete: false,
             block,
