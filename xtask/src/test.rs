@@ -9,7 +9,7 @@ use unoclp_boot::Model;
 use crate::count::{self, Count};
 use crate::programs::{self, Round, Tally};
 use crate::shell::{self, cargo, say};
-use crate::steps::{Steps, both};
+use crate::steps::{Steps, both, gate};
 use crate::{firmware, lab, long, node, setup, tested};
 
 /// What runs on a PC.
@@ -84,9 +84,21 @@ pub fn run(args: &TestArgs) -> Result<()> {
         return report(&steps, &tally, test_lab(&steps, &round)?);
     }
     steps.take("format", format)?;
-    // The AVR build has a folder of its own, and mostly one processor's worth of work.
-    let ((programs, examples), ()) = both(
-        || check_and_compile(&steps),
+    // What waits for the lock of `target/` beside what has a folder of its own: each side is about one processor's work,
+    // and a page runs one UNO at a time.
+    let (compiled, are_compiled) = gate();
+    let (built, is_built) = gate();
+    let ((tally, examples), of_the_page) = both(
+        || {
+            let programs = check_and_compile(&steps)?;
+            compiled.open();
+            let examples = steps.take("examples in the documentation", test_examples)?;
+            is_built.pass()?;
+            let tally = steps.take("tests on the PC and on the simulated UNO", || {
+                programs.run(&round, is_wanted)
+            })?;
+            Ok((tally, examples))
+        },
         || {
             if !args.kept {
                 for board in firmware::BOARDS {
@@ -96,17 +108,14 @@ pub fn run(args: &TestArgs) -> Result<()> {
                 }
             }
             build_firmware()?;
-            build_lab(&steps)
+            build_lab(&steps)?;
+            built.open();
+            let page = ["lab", "--build"];
+            steps.run_aside("the page", Command::new(&xtask).args(page))?;
+            // Some pages speak to the simulated UNO.
+            are_compiled.pass()?;
+            test_page(&steps)
         },
-    )?;
-    // So has WebAssembly, and a page runs one UNO at a time.
-    let (tally, of_the_page) = both(
-        || {
-            steps.take("tests on the PC and on the simulated UNO", || {
-                programs.run(&round, is_wanted)
-            })
-        },
-        || test_page(&steps, &xtask),
     )?;
     let mut others = examples;
     others += of_the_page;
@@ -114,9 +123,8 @@ pub fn run(args: &TestArgs) -> Result<()> {
     report(&steps, &tally, others)
 }
 
-/// Builds the page, and tries it in Chromium and inside the program `unoclp`.
-fn test_page(steps: &Steps, xtask: &Path) -> Result<Count> {
-    steps.run_aside("the page", Command::new(xtask).args(["lab", "--build"]))?;
+/// Tries the page in Chromium and inside the program `unoclp`.
+fn test_page(steps: &Steps) -> Result<Count> {
     let mut page = lab::tests()?;
     let mut count =
         steps.count_aside("tests of the page in Chromium", &mut page, count::by_node)?;
@@ -165,8 +173,8 @@ fn format() -> Result<()> {
     shell::run(cargo().args(fuzz))
 }
 
-/// What waits for the one lock of `target/`: clippy, the documentation, its examples, and the tests' programs.
-fn check_and_compile(steps: &Steps) -> Result<(programs::Programs, Count)> {
+/// What waits for the one lock of `target/`: clippy, the documentation, and the tests' programs.
+fn check_and_compile(steps: &Steps) -> Result<programs::Programs> {
     steps.take("clippy on what runs on a PC", || {
         let mut clippy = cargo();
         clippy.arg("clippy").args(HOST).arg("--all-targets");
@@ -177,13 +185,13 @@ fn check_and_compile(steps: &Steps) -> Result<(programs::Programs, Count)> {
         doc.args(["doc", "--no-deps"]).args(HOST);
         shell::run(doc.env("RUSTDOCFLAGS", "-D warnings"))
     })?;
-    let programs = steps.take("compiling the tests", programs::compile)?;
-    let examples = steps.take("examples in the documentation", || {
-        let mut examples = cargo();
-        examples.args(["test", "--doc"]).args(HOST);
-        count::tests(&mut examples, count::by_cargo)
-    })?;
-    Ok((programs, examples))
+    steps.take("compiling the tests", programs::compile)
+}
+
+fn test_examples() -> Result<Count> {
+    let mut examples = cargo();
+    examples.args(["test", "--doc"]).args(HOST);
+    count::tests(&mut examples, count::by_cargo)
 }
 
 /// Where xtask stands, asked before anything is compiled: after that another program may stand in its place, and the
