@@ -65,6 +65,8 @@ test("each machine is solved by its model solution, and each of its rules is see
 
   // What goes wrong is not played again: that takes a processor while the next is judged.
   const page = await lab.still({ reducedMotion: "reduce" });
+  // Nor is each program drawn.
+  await page.click("#view-text");
   for (const plant of MACHINES) {
     await open(page, plant);
     await page.locator("#machine-rules li").first().waitFor();
