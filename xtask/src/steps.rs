@@ -1,13 +1,13 @@
 //! The steps of a long task: each is announced, timed, and named where it fails. After that none is begun.
 
 use std::fmt;
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, mpsc};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, Result, anyhow, bail, ensure};
+use anyhow::{Context, Result, anyhow, ensure};
 
 use crate::count::Count;
 use crate::shell::{self, say};
@@ -48,38 +48,34 @@ impl Steps {
     /// # Errors
     /// As [`Steps::take`].
     pub fn run_aside(&self, name: &str, command: &mut Command) -> Result<()> {
-        self.aside(name, command).map(drop)
+        self.timed(name, || {
+            let (_, status) = aside(name, command)?;
+            ensure!(status.success(), "the step \"{name}\" failed: {status}");
+            Ok(())
+        })
     }
 
-    /// Runs tests like [`Steps::run_aside`], and counts them: `counted` knows the lines of their harness.
+    /// Runs tests like [`Steps::run_aside`], and counts them: `counted` knows the lines of their harness. One that fails is
+    /// counted, and the step is taken.
     ///
     /// # Errors
-    /// As [`Steps::take`], and if there are none.
+    /// As [`Steps::take`] where the command fails and no test has, and if there are none.
     pub fn count_aside(
         &self,
         name: &str,
         command: &mut Command,
         counted: fn(&str) -> Option<Count>,
     ) -> Result<Count> {
-        let count = Count::of(&self.aside(name, command)?, counted);
-        ensure!(count.passed > 0, "the step \"{name}\" ran no test");
-        Ok(count)
-    }
-
-    /// What a command prints.
-    fn aside(&self, name: &str, command: &mut Command) -> Result<String> {
         self.timed(name, || {
-            let output = command
-                .stdin(Stdio::null())
-                .output()
-                .map_err(|error| shell::not_started(command, error))?;
-            let bytes = [output.stdout, output.stderr].concat();
-            let text = String::from_utf8_lossy(&bytes).into_owned();
-            println!("==> {name}\n{}", text.trim_end());
-            if !output.status.success() {
-                bail!("the step \"{name}\" failed: {}", output.status);
+            let (text, status) = aside(name, command)?;
+            let count = Count::of(&text, counted);
+            if count.failed > 0 {
+                println!("FAILED {name}");
+                return Ok(count);
             }
-            Ok(text)
+            ensure!(status.success(), "the step \"{name}\" failed: {status}");
+            ensure!(count.passed > 0, "the step \"{name}\" ran no test");
+            Ok(count)
         })
     }
 
@@ -109,6 +105,18 @@ impl Steps {
             |(name, time): &(String, Duration)| format!("{:>8.1} s  {name}\n", time.as_secs_f32());
         taken.iter().map(line).collect()
     }
+}
+
+/// What a command prints, shown in one piece, and how it has ended.
+fn aside(name: &str, command: &mut Command) -> Result<(String, ExitStatus)> {
+    let output = command
+        .stdin(Stdio::null())
+        .output()
+        .map_err(|error| shell::not_started(command, error))?;
+    let bytes = [output.stdout, output.stderr].concat();
+    let text = String::from_utf8_lossy(&bytes).into_owned();
+    println!("==> {name}\n{}", text.trim_end());
+    Ok((text, output.status))
 }
 
 /// Does two things at the same time.
@@ -164,9 +172,13 @@ impl Opened {
 
 #[cfg(test)]
 mod tests {
+    use std::process::Command;
+    use std::sync::atomic::Ordering;
+
     use anyhow::{Result, bail};
 
     use super::{Steps, both, gate};
+    use crate::count::{self, Count};
 
     #[test]
     fn what_failed_is_told_and_nothing_is_begun_after_it() {
@@ -188,6 +200,24 @@ mod tests {
         let more: Result<()> = steps.take("more", || panic!("begun"));
         assert_eq!(more.unwrap_err().to_string(), "another step has failed");
         assert_eq!(steps.table(), "");
+    }
+
+    #[test]
+    fn a_test_that_fails_is_counted_and_a_command_that_does_is_an_error() {
+        let steps = Steps::default();
+        let run = |script: &str| {
+            let mut shell = Command::new("sh");
+            steps.count_aside("tests", shell.args(["-c", script]), count::by_node)
+        };
+        let counted = |passed, failed| Count { passed, failed };
+        assert_eq!(run("echo 'ℹ pass 7'").unwrap(), counted(7, 0));
+        let some = run("echo 'ℹ pass 7'; echo 'ℹ fail 2'; exit 1").unwrap();
+        assert_eq!(some, counted(7, 2));
+        assert_eq!(run("echo 'ℹ pass 1'").unwrap(), counted(1, 0));
+        for script in ["true", "echo 'ℹ pass 7'; exit 1"] {
+            assert!(run(script).is_err(), "{script}");
+            steps.has_failed.store(false, Ordering::Relaxed);
+        }
     }
 
     #[test]

@@ -84,20 +84,27 @@ pub fn run(args: &TestArgs) -> Result<()> {
         return report(&steps, &tally, test_lab(&steps, &round)?);
     }
     steps.take("format", format)?;
-    // What waits for the lock of `target/` beside what has a folder of its own: each side is about one processor's work,
-    // and a page runs one UNO at a time.
+    // What waits for the lock of `target/` beside what has a folder of its own: each side is about one processor's work.
+    // Whichever has done its own takes what is left of the page's tests with the other.
+    let pages = lab::Tests::find()?;
     let (compiled, are_compiled) = gate();
-    let (built, is_built) = gate();
-    let ((tally, examples), of_the_page) = both(
+    let (firmware_built, is_firmware_built) = gate();
+    let (page_built, is_page_built) = gate();
+    let ((tally, mut others), of_the_page) = both(
         || {
             let programs = check_and_compile(&steps)?;
             compiled.open();
-            let examples = steps.take("examples in the documentation", test_examples)?;
-            is_built.pass()?;
+            let mut others = steps.take("examples in the documentation", test_examples)?;
+            is_firmware_built.pass()?;
             let tally = steps.take("tests on the PC and on the simulated UNO", || {
                 programs.run(&round, is_wanted)
             })?;
-            Ok((tally, examples))
+            others += test_lab(&steps, &round)?;
+            is_page_built.pass()?;
+            // This puts another `unoclp` in the place of the one that has been tested.
+            others += test_page_inside(&steps)?;
+            others += pages.run(&steps)?;
+            Ok((tally, others))
         },
         || {
             if !args.kept {
@@ -109,32 +116,27 @@ pub fn run(args: &TestArgs) -> Result<()> {
             }
             build_firmware()?;
             build_lab(&steps)?;
-            built.open();
+            firmware_built.open();
             let page = ["lab", "--build"];
             steps.run_aside("the page", Command::new(&xtask).args(page))?;
+            page_built.open();
             // Some pages speak to the simulated UNO.
             are_compiled.pass()?;
-            test_page(&steps)
+            pages.run(&steps)
         },
     )?;
-    let mut others = examples;
     others += of_the_page;
-    others += test_lab(&steps, &round)?;
     report(&steps, &tally, others)
 }
 
-/// Tries the page in Chromium and inside the program `unoclp`.
-fn test_page(steps: &Steps) -> Result<Count> {
-    let mut page = lab::tests()?;
-    let mut count =
-        steps.count_aside("tests of the page in Chromium", &mut page, count::by_node)?;
+/// Tries the page inside the program `unoclp`.
+fn test_page_inside(steps: &Steps) -> Result<Count> {
     let mut serve = cargo();
     // With the features that the other tests have been compiled with: hardly anything is compiled again.
     serve.arg("test").args(HOST).args(["--test", "serve"]);
     serve.args(["--features", "xtask/avr-tools,unoclp-cli/page"]);
     let inside = "tests of the page inside unoclp";
-    count += steps.count_aside(inside, &mut serve, count::by_cargo)?;
-    Ok(count)
+    steps.count_aside(inside, &mut serve, count::by_cargo)
 }
 
 /// Sets up, builds, and makes many times the rounds of the random tests.
