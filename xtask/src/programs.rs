@@ -256,17 +256,22 @@ impl Tally {
 }
 
 /// How long tests took, by their full names.
-struct Times(HashMap<String, Duration>);
+pub struct Times(HashMap<String, Duration>);
 
 impl Times {
-    /// Those of the last run; none where they cannot be read.
-    fn load() -> Times {
+    /// Those of the last whole run; none where they cannot be read.
+    pub fn load() -> Times {
         let text = fs::read_to_string(shell::root().join(TIMES)).unwrap_or_default();
         let line = |line: &str| {
             let (ms, name) = line.split_once(' ')?;
             Some((name.to_owned(), Duration::from_millis(ms.parse().ok()?)))
         };
         Times(text.lines().filter_map(line).collect())
+    }
+
+    /// Whether a test took so long, or longer. Of one that nobody has timed that is not known.
+    pub fn took(&self, name: &str, time: Duration) -> bool {
+        self.0.get(name).is_some_and(|took| *took >= time)
     }
 
     /// That of a test that nobody has timed is guessed.

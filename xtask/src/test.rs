@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
 use unoclp_boot::Model;
@@ -18,6 +19,8 @@ const DENY: [&str; 3] = ["--", "-D", "warnings"];
 /// Percent of the rounds of random tests that a quick run makes. Of all cases it takes one of eleven: no
 /// number of kinds is a multiple of that, so each kind has its turn.
 const QUICK: u32 = 9;
+/// What takes longer in a whole run is no part of a quick one, unless it makes fewer rounds there.
+const LONG: Duration = Duration::from_secs(3);
 /// What needs a firmware that was built here.
 const BUILT: [&str; 4] = [
     "xtask tested the_pinned_tools_have_built_what_the_suite_runs_on",
@@ -29,7 +32,8 @@ const BUILT: [&str; 4] = [
 /// The words after `cargo xtask test`.
 #[derive(clap::Args)]
 pub struct TestArgs {
-    /// Leave out clippy, the documentation and its examples, and ten of eleven random rounds and cases
+    /// Leave out clippy, the documentation and its examples, ten of eleven random rounds and cases, and what took 3 s or
+    /// more in the last whole run
     #[arg(long)]
     quick: bool,
     /// Run them on the tested firmware, firmware/unoclp-uno.hex with its symbols, and build none
@@ -75,8 +79,16 @@ pub fn run(args: &TestArgs) -> Result<()> {
             || steps.take("compiling the tests", programs::compile),
             || build_firmware().and_then(|()| build_lab(&steps)),
         )?;
-        say(&format!("quick: without {}", long::WHOLE.join(", ")));
-        let is_quick = |name: &str| !long::WHOLE.iter().any(|long| name.ends_with(long));
+        say(&format!(
+            "quick: without what took {} s or more in the last whole run, and without {}",
+            LONG.as_secs(),
+            long::WHOLE.join(", ")
+        ));
+        let times = programs::Times::load();
+        let is_quick = |name: &str| {
+            let is_whole = long::WHOLE.iter().any(|long| name.ends_with(long));
+            !is_whole && (long::is_of_cases(name) || !times.took(name, LONG))
+        };
         round.percent = QUICK;
         let tally = steps.take("tests", || {
             programs.run(&round, |name| is_quick(name) && is_wanted(name))
@@ -155,18 +167,11 @@ pub fn soak(args: &SoakArgs) -> Result<()> {
         percent: 100 * args.times,
         ..Round::default()
     };
-    let tests = || programs.run(&round, is_random);
+    let tests = || programs.run(&round, long::is_random);
     let tally = steps.take("random tests", tests)?;
     steps.run_aside("the page", Command::new(&xtask).args(["lab", "--build"]))?;
     let open = steps.take("a page that is open for ten minutes", lab::soak)?;
     report(&steps, &tally, open)
-}
-
-/// Whether a test makes as many rounds as it is told to: its name says so.
-fn is_random(name: &str) -> bool {
-    ["random", "mutated", "a_long_run"]
-        .iter()
-        .any(|word| name.contains(word))
 }
 
 fn format() -> Result<()> {
