@@ -73,6 +73,13 @@ struct Outcome {
 /// Test programs that have been compiled.
 pub struct Programs(Vec<Program>);
 
+/// Whether a test is of a package that looks at the firmware that was built, or at what Node runs of the page.
+pub fn needs_firmware(name: &str) -> bool {
+    ["unoclp-uno-sim ", "xtask "]
+        .iter()
+        .any(|package| name.starts_with(package))
+}
+
 /// Compiles the tests of all that runs on a PC. Those of the packages in `without` are left out.
 ///
 /// # Errors
@@ -233,6 +240,12 @@ fn printed(stdout: &str) -> impl Iterator<Item = &str> {
 pub struct Tally(Vec<Outcome>);
 
 impl Tally {
+    /// With what came later.
+    pub fn and(mut self, later: Tally) -> Tally {
+        self.0.extend(later.0);
+        self
+    }
+
     /// How many tests have passed.
     pub fn passed(&self) -> usize {
         self.0.iter().filter(|outcome| outcome.passed).count()

@@ -75,10 +75,6 @@ pub fn run(args: &TestArgs) -> Result<()> {
         say(
             "quick: without clippy, documentation and its examples; one of eleven random rounds and cases",
         );
-        let (programs, ()) = both(
-            || steps.take("compiling the tests", programs::compile),
-            || build_firmware().and_then(|()| build_lab(&steps)),
-        )?;
         say(&format!(
             "quick: without what took {} s or more in the last whole run, and without {}",
             LONG.as_secs(),
@@ -90,9 +86,16 @@ pub fn run(args: &TestArgs) -> Result<()> {
             !is_whole && (long::is_of_cases(name) || !times.took(name, LONG))
         };
         round.percent = QUICK;
-        let tally = steps.take("tests", || {
-            programs.run(&round, |name| is_quick(name) && is_wanted(name))
-        })?;
+        let is_asked = |name: &str| is_quick(name) && is_wanted(name);
+        let ((programs, tally), ()) = both(
+            || {
+                let programs = steps.take("compiling the tests", programs::compile)?;
+                let tally = test_pc(&steps, &programs, &round, is_asked)?;
+                Ok((programs, tally))
+            },
+            || build_firmware().and_then(|()| build_lab(&steps)),
+        )?;
+        let tally = tally.and(test_uno(&steps, &programs, &round, is_asked)?);
         return report(&steps, &tally, test_lab(&steps, &round)?);
     }
     steps.take("format", format)?;
@@ -107,10 +110,9 @@ pub fn run(args: &TestArgs) -> Result<()> {
             let programs = check_and_compile(&steps)?;
             compiled.open();
             let mut others = steps.take("examples in the documentation", test_examples)?;
+            let tally = test_pc(&steps, &programs, &round, is_wanted)?;
             is_firmware_built.pass()?;
-            let tally = steps.take("tests on the PC and on the simulated UNO", || {
-                programs.run(&round, is_wanted)
-            })?;
+            let tally = tally.and(test_uno(&steps, &programs, &round, is_wanted)?);
             others += test_lab(&steps, &round)?;
             is_page_built.pass()?;
             // This puts another `unoclp` in the place of the one that has been tested.
@@ -193,6 +195,34 @@ fn check_and_compile(steps: &Steps) -> Result<programs::Programs> {
         shell::run(doc.env("RUSTDOCFLAGS", "-D warnings"))
     })?;
     steps.take("compiling the tests", programs::compile)
+}
+
+/// Tests on the PC: these need no firmware that was built here.
+fn test_pc(
+    steps: &Steps,
+    programs: &programs::Programs,
+    round: &Round,
+    is_wanted: impl Fn(&str) -> bool,
+) -> Result<Tally> {
+    steps.take("tests on the PC", || {
+        programs.run(round, |name| {
+            !programs::needs_firmware(name) && is_wanted(name)
+        })
+    })
+}
+
+/// Tests on the simulated UNO, and of xtask itself.
+fn test_uno(
+    steps: &Steps,
+    programs: &programs::Programs,
+    round: &Round,
+    is_wanted: impl Fn(&str) -> bool,
+) -> Result<Tally> {
+    steps.take("tests on the simulated UNO", || {
+        programs.run(round, |name| {
+            programs::needs_firmware(name) && is_wanted(name)
+        })
+    })
 }
 
 fn test_examples() -> Result<Count> {
