@@ -28,7 +28,7 @@ impl Coder<'_, '_> {
         next: Option<&Step>,
     ) -> bool {
         if block.is_counter() {
-            self.counter(block, cell, inputs);
+            self.counter(block.plain(), cell, inputs);
             return false;
         }
         let input = |this: &mut Self, part: u32| this.input(cell, inputs, part);

@@ -140,7 +140,7 @@ pub(super) fn gather(flat: &mut Flat) {
 /// Whether a call that does not give this part goes on with it as the board keeps it: what is counted has not risen since
 /// the call that gave it, and the preset of a board's counter stays.
 fn stays(block: Standard, part: u32) -> bool {
-    match block {
+    match block.plain() {
         Standard::Ctu | Standard::Ctd => part == 0,
         Standard::Ctud => part < 2,
         Standard::Counter => part < 2 || part == counter::PRESET,

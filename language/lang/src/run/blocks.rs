@@ -72,9 +72,9 @@ impl Machine<'_> {
                 cells.put("#M", clk);
                 cells.put("Q", !clk && before);
             }
-            Standard::Ctu => up(&mut cells),
-            Standard::Ctd => down(&mut cells),
-            Standard::Ctud | Standard::Counter => both(&mut cells),
+            Standard::Ctu | Standard::CtuDint => up(&mut cells),
+            Standard::Ctd | Standard::CtdDint => down(&mut cells),
+            Standard::Ctud | Standard::CtudDint | Standard::Counter => both(&mut cells),
             Standard::Ton => on_delay(&mut cells, now),
             Standard::Tof => off_delay(&mut cells, now),
             Standard::Tp => pulse(&mut cells, now),
@@ -126,7 +126,7 @@ fn stored(value: Option<Value>, base: Base) -> i128 {
 fn outputs(cells: &mut Cells<'_>) {
     let count = cells.get("CV");
     let reached = is_reached(cells, count);
-    match cells.block {
+    match cells.block.plain() {
         Standard::Ctu => cells.put("Q", reached),
         Standard::Ctd => cells.put("Q", count <= 0),
         _ => {

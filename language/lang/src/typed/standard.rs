@@ -19,6 +19,12 @@ pub enum Standard {
     Ctd,
     /// Counts both ways.
     Ctud,
+    /// Counts up in a DINT.
+    CtuDint,
+    /// Counts down in a DINT.
+    CtdDint,
+    /// Counts both ways in a DINT.
+    CtudDint,
     /// A pulse of PT.
     Tp,
     /// Q follows IN by PT, where it rises.
@@ -67,6 +73,48 @@ pub(crate) mod counter {
     pub(crate) const NUMBER: u32 = 7;
 }
 
+/// Counters of INT, and of DINT.
+const UP: [[Part; 6]; 2] = [up(Int), up(Dint)];
+const DOWN: [[Part; 6]; 2] = [down(Int), down(Dint)];
+const BOTH: [[Part; 10]; 2] = [both(Int), both(Dint)];
+
+const fn up(number: Base) -> [Part; 6] {
+    [
+        ("CU", Bool, Input),
+        ("R", Bool, Input),
+        ("PV", number, Input),
+        ("Q", Bool, Output),
+        ("CV", number, Output),
+        ("#CU", Bool, Hidden),
+    ]
+}
+
+const fn down(number: Base) -> [Part; 6] {
+    [
+        ("CD", Bool, Input),
+        ("LD", Bool, Input),
+        ("PV", number, Input),
+        ("Q", Bool, Output),
+        ("CV", number, Output),
+        ("#CD", Bool, Hidden),
+    ]
+}
+
+const fn both(number: Base) -> [Part; 10] {
+    [
+        ("CU", Bool, Input),
+        ("CD", Bool, Input),
+        ("R", Bool, Input),
+        ("LD", Bool, Input),
+        ("PV", number, Input),
+        ("QU", Bool, Output),
+        ("QD", Bool, Output),
+        ("CV", number, Output),
+        ("#CU", Bool, Hidden),
+        ("#CD", Bool, Hidden),
+    ]
+}
+
 const EDGE: &[Part] = &[
     ("CLK", Bool, Input),
     ("Q", Bool, Output),
@@ -75,7 +123,7 @@ const EDGE: &[Part] = &[
 
 impl Standard {
     /// Those of the norm, which texts declare by these names.
-    pub const ALL: [Standard; 10] = [
+    pub const ALL: [Standard; 13] = [
         Standard::Sr,
         Standard::Rs,
         Standard::RTrig,
@@ -83,6 +131,9 @@ impl Standard {
         Standard::Ctu,
         Standard::Ctd,
         Standard::Ctud,
+        Standard::CtuDint,
+        Standard::CtdDint,
+        Standard::CtudDint,
         Standard::Tp,
         Standard::Ton,
         Standard::Tof,
@@ -98,6 +149,9 @@ impl Standard {
             Standard::Ctu => "CTU",
             Standard::Ctd => "CTD",
             Standard::Ctud => "CTUD",
+            Standard::CtuDint => "CTU_DINT",
+            Standard::CtdDint => "CTD_DINT",
+            Standard::CtudDint => "CTUD_DINT",
             Standard::Tp => "TP",
             Standard::Ton => "TON",
             Standard::Tof => "TOF",
@@ -125,47 +179,14 @@ impl Standard {
                 ("Q1", Bool, Output),
             ],
             Standard::RTrig | Standard::FTrig => EDGE,
-            Standard::Ctu => &[
-                ("CU", Bool, Input),
-                ("R", Bool, Input),
-                ("PV", Int, Input),
-                ("Q", Bool, Output),
-                ("CV", Int, Output),
-                ("#CU", Bool, Hidden),
-            ],
-            Standard::Ctd => &[
-                ("CD", Bool, Input),
-                ("LD", Bool, Input),
-                ("PV", Int, Input),
-                ("Q", Bool, Output),
-                ("CV", Int, Output),
-                ("#CD", Bool, Hidden),
-            ],
-            Standard::Ctud => &[
-                ("CU", Bool, Input),
-                ("CD", Bool, Input),
-                ("R", Bool, Input),
-                ("LD", Bool, Input),
-                ("PV", Int, Input),
-                ("QU", Bool, Output),
-                ("QD", Bool, Output),
-                ("CV", Int, Output),
-                ("#CU", Bool, Hidden),
-                ("#CD", Bool, Hidden),
-            ],
+            Standard::Ctu => &UP[0],
+            Standard::CtuDint => &UP[1],
+            Standard::Ctd => &DOWN[0],
+            Standard::CtdDint => &DOWN[1],
+            Standard::Ctud => &BOTH[0],
+            Standard::CtudDint => &BOTH[1],
             Standard::Tp | Standard::Ton | Standard::Tof | Standard::Tonr => TIMER,
-            Standard::Counter => &[
-                ("CU", Bool, Input),
-                ("CD", Bool, Input),
-                ("R", Bool, Input),
-                ("LD", Bool, Input),
-                ("PV", Dint, Input),
-                ("QU", Bool, Output),
-                ("QD", Bool, Output),
-                ("CV", Dint, Output),
-                ("#CU", Bool, Hidden),
-                ("#CD", Bool, Hidden),
-            ],
+            Standard::Counter => &BOTH[1],
         }
     }
 
@@ -174,8 +195,33 @@ impl Standard {
         self.parts().len() as u32
     }
 
+    /// The block that has one of the norm's longer names, in upper case: `TON_TIME`, `CTU_INT`.
+    pub fn overloaded(name: &str) -> Option<Standard> {
+        let (plain, of) = name.rsplit_once('_')?;
+        let block = Standard::named(plain)?;
+        let same = match of {
+            "TIME" => block.is_timer(),
+            "INT" => block.is_counter(),
+            _ => false,
+        };
+        same.then_some(block)
+    }
+
+    /// The norm's name of a member that others call otherwise: RESET is R.
+    fn usual(self, name: &str) -> &str {
+        match (self, name) {
+            (Standard::Sr, "SET1" | "S") => "S1",
+            (Standard::Sr, "RESET") | (Standard::Ctu | Standard::Ctud, "RESET") => "R",
+            (Standard::Rs, "SET") => "S",
+            (Standard::Rs, "RESET1" | "R") => "R1",
+            (Standard::Ctd | Standard::Ctud, "LOAD") => "LD",
+            _ => name,
+        }
+    }
+
     /// The cell of this member, in upper case, and what it is; none of what is hidden.
     pub fn part(self, name: &str) -> Option<(u32, Part)> {
+        let name = self.usual(name);
         let parts = (0..).zip(self.parts());
         let mut named = parts.filter(|(_, part)| part.0 == name && part.2 != Hidden);
         named.next().map(|(at, part)| (at, *part))
@@ -199,17 +245,33 @@ impl Standard {
         )
     }
 
+    /// The counter of INT that counts as this one does; any other block is itself.
+    pub const fn plain(self) -> Standard {
+        match self {
+            Standard::CtuDint => Standard::Ctu,
+            Standard::CtdDint => Standard::Ctd,
+            Standard::CtudDint => Standard::Ctud,
+            other => other,
+        }
+    }
+
     /// Whether it is one of the board's counters.
     pub const fn is_counter(self) -> bool {
         matches!(
             self,
-            Standard::Ctu | Standard::Ctd | Standard::Ctud | Standard::Counter
+            Standard::Ctu
+                | Standard::Ctd
+                | Standard::Ctud
+                | Standard::Counter
+                | Standard::CtuDint
+                | Standard::CtdDint
+                | Standard::CtudDint
         )
     }
 
     /// The cell of its preset; none of what has none.
     pub const fn preset(self) -> Option<u32> {
-        match self {
+        match self.plain() {
             Standard::Tp | Standard::Ton | Standard::Tof | Standard::Tonr => Some(1),
             Standard::Ctu | Standard::Ctd => Some(2),
             Standard::Ctud | Standard::Counter => Some(counter::PRESET),
@@ -219,7 +281,7 @@ impl Standard {
 
     /// The cell of a counter's number.
     pub const fn number(self) -> Option<u32> {
-        match self {
+        match self.plain() {
             Standard::Ctu | Standard::Ctd => Some(4),
             Standard::Ctud | Standard::Counter => Some(counter::NUMBER),
             _ => None,
@@ -228,7 +290,7 @@ impl Standard {
 
     /// The cells that say whether a counter has reached its preset, and whether it is 0 or less.
     pub const fn reached(self) -> [Option<u32>; 2] {
-        match self {
+        match self.plain() {
             Standard::Ctu => [Some(3), None],
             Standard::Ctd => [None, Some(3)],
             Standard::Ctud | Standard::Counter => [Some(counter::UP), Some(counter::DOWN)],

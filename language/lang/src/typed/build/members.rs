@@ -88,6 +88,7 @@ impl Builder<'_, '_> {
             locked: of.locked.or(locked),
             value: None,
             result: of.result,
+            input: of.input,
             at: of.at.to(at),
         })
     }
@@ -185,6 +186,7 @@ impl Builder<'_, '_> {
             locked: of.locked,
             value: None,
             result: of.result,
+            input: of.input,
             at: of.at.to(at),
         })
     }

@@ -69,8 +69,6 @@ pub(crate) enum Letters {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Lock {
     Constant,
-    /// An input of the unit.
-    Input,
     /// An output of a block.
     Output,
     /// An input of the board.

@@ -20,6 +20,8 @@ pub(crate) struct Target {
     pub value: Option<Value>,
     /// Whether it is the name of a unit's own result.
     pub result: bool,
+    /// Whether it is an input of the unit that names it.
+    pub input: bool,
     pub at: Span,
 }
 
@@ -119,10 +121,9 @@ impl Builder<'_, '_> {
                 .here()
                 .is_some_and(|draft| draft.result.is_some() && draft.unit.name == variable.name);
         let input = variable.section == Section::Input && is_own && kind != Some(UnitKind::Program);
-        let locked = match (variable.constant, input) {
-            (true, _) => Some(Lock::Constant),
-            (_, true) => Some(Lock::Input),
-            _ => self.input_point(variable.root, variable.offset),
+        let locked = match variable.constant {
+            true => Some(Lock::Constant),
+            false => self.input_point(variable.root, variable.offset),
         };
         Target {
             place: variable.place(at),
@@ -130,6 +131,7 @@ impl Builder<'_, '_> {
             locked,
             value: None,
             result,
+            input,
             at,
         }
     }
@@ -146,6 +148,7 @@ impl Builder<'_, '_> {
             locked: Some(Lock::Constant),
             value: Some(value),
             result: false,
+            input: false,
             at,
         }
     }
@@ -173,6 +176,7 @@ impl Builder<'_, '_> {
             locked: self.input_point(Root::Static, offset),
             value: None,
             result: false,
+            input: false,
             at,
         }
     }

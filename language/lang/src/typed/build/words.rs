@@ -60,13 +60,6 @@ impl Builder<'_, '_> {
     /// Why nothing can be stored in a variable of this kind, and what to do.
     pub(super) fn why_not_written(lock: Lock) -> (Word, Word) {
         let (what, help) = match lock {
-            Lock::Input => (
-                ("an input of this unit", "uma entrada desta unidade"),
-                (
-                    "copy it to a variable of its own: VAR x : INT; END_VAR",
-                    "copie-a para uma variável própria: VAR x : INT; END_VAR",
-                ),
-            ),
             Lock::Constant => (
                 ("a constant", "uma constante"),
                 (
