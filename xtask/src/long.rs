@@ -40,6 +40,18 @@ pub const WHOLE: [&str; 10] = [
     "state_power::a_power_cut_in_a_save_damages_nothing",
 ];
 
+/// Whether a test makes as many rounds, or goes through as many cases, as it is told to.
+pub fn is_of_cases(name: &str) -> bool {
+    OF_CASES.iter().any(|long| name.ends_with(long)) || is_random(name)
+}
+
+/// Whether a test makes as many rounds of what is random as it is told to: its name says so.
+pub fn is_random(name: &str) -> bool {
+    ["random", "mutated", "a_long_run"]
+        .iter()
+        .any(|word| name.contains(word))
+}
+
 /// All of them.
 pub fn all() -> impl Iterator<Item = &'static str> {
     OF_CASES.iter().chain(&WHOLE).copied()

@@ -73,6 +73,13 @@ struct Outcome {
 /// Test programs that have been compiled.
 pub struct Programs(Vec<Program>);
 
+/// Whether a test is of a package that looks at the firmware that was built, or at what Node runs of the page.
+pub fn needs_firmware(name: &str) -> bool {
+    ["unoclp-uno-sim ", "xtask "]
+        .iter()
+        .any(|package| name.starts_with(package))
+}
+
 /// Compiles the tests of all that runs on a PC. Those of the packages in `without` are left out.
 ///
 /// # Errors
@@ -233,6 +240,12 @@ fn printed(stdout: &str) -> impl Iterator<Item = &str> {
 pub struct Tally(Vec<Outcome>);
 
 impl Tally {
+    /// With what came later.
+    pub fn and(mut self, later: Tally) -> Tally {
+        self.0.extend(later.0);
+        self
+    }
+
     /// How many tests have passed.
     pub fn passed(&self) -> usize {
         self.0.iter().filter(|outcome| outcome.passed).count()
@@ -256,17 +269,22 @@ impl Tally {
 }
 
 /// How long tests took, by their full names.
-struct Times(HashMap<String, Duration>);
+pub struct Times(HashMap<String, Duration>);
 
 impl Times {
-    /// Those of the last run; none where they cannot be read.
-    fn load() -> Times {
+    /// Those of the last whole run; none where they cannot be read.
+    pub fn load() -> Times {
         let text = fs::read_to_string(shell::root().join(TIMES)).unwrap_or_default();
         let line = |line: &str| {
             let (ms, name) = line.split_once(' ')?;
             Some((name.to_owned(), Duration::from_millis(ms.parse().ok()?)))
         };
         Times(text.lines().filter_map(line).collect())
+    }
+
+    /// Whether a test took so long, or longer. Of one that nobody has timed that is not known.
+    pub fn took(&self, name: &str, time: Duration) -> bool {
+        self.0.get(name).is_some_and(|took| *took >= time)
     }
 
     /// That of a test that nobody has timed is guessed.

@@ -132,9 +132,14 @@ const LAB: &[Need] = &[
 const BOOT_LOADERS: &str = "/usr/share/arduino/hardware/arduino/avr/bootloaders";
 
 /// What the tests of the page drive.
-const BROWSER: &[Need] = &[need("chromium-headless-shell", "trying the page", |_| {
-    has_chromium()
-})];
+const BROWSER: &[Need] = &[
+    need("chromium-headless-shell", "trying the page", |_| {
+        has_chromium()
+    }),
+    need("firefox-esr", "trying the page in a second browser", |_| {
+        has_firefox()
+    }),
+];
 
 /// What Python brings, for a folder of its own: the clients of Modbus and of Sparkplug B that are not of Debian.
 const PYTHON: [&str; 3] = ["pymodbus==3.16.1", "pyserial==3.5", "pysparkplug==0.6.1"];
@@ -353,6 +358,13 @@ fn has_chromium() -> bool {
     let names = ["chromium-headless-shell", "chromium", "google-chrome"];
     let is_there = |name: &&str| Path::new("/usr/bin").join(name).exists();
     std::env::var_os("CHROMIUM").is_some() || names.iter().any(is_there)
+}
+
+/// The test of the page in Firefox looks in the same places.
+fn has_firefox() -> bool {
+    let names = ["firefox-esr", "firefox"];
+    let is_there = |name: &&str| Path::new("/usr/bin").join(name).exists();
+    std::env::var_os("FIREFOX").is_some() || names.iter().any(is_there)
 }
 
 fn has_rust() -> bool {

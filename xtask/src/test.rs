@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
 use unoclp_boot::Model;
@@ -9,7 +10,7 @@ use unoclp_boot::Model;
 use crate::count::{self, Count};
 use crate::programs::{self, Round, Tally};
 use crate::shell::{self, cargo, say};
-use crate::steps::{Steps, both};
+use crate::steps::{Steps, both, gate};
 use crate::{firmware, lab, long, node, setup, tested};
 
 /// What runs on a PC.
@@ -18,6 +19,8 @@ const DENY: [&str; 3] = ["--", "-D", "warnings"];
 /// Percent of the rounds of random tests that a quick run makes. Of all cases it takes one of eleven: no
 /// number of kinds is a multiple of that, so each kind has its turn.
 const QUICK: u32 = 9;
+/// What takes longer in a whole run is no part of a quick one, unless it makes fewer rounds there.
+const LONG: Duration = Duration::from_secs(3);
 /// What needs a firmware that was built here.
 const BUILT: [&str; 4] = [
     "xtask tested the_pinned_tools_have_built_what_the_suite_runs_on",
@@ -29,7 +32,8 @@ const BUILT: [&str; 4] = [
 /// The words after `cargo xtask test`.
 #[derive(clap::Args)]
 pub struct TestArgs {
-    /// Leave out clippy, the documentation and its examples, and ten of eleven random rounds and cases
+    /// Leave out clippy, the documentation and its examples, ten of eleven random rounds and cases, and what took 3 s or
+    /// more in the last whole run
     #[arg(long)]
     quick: bool,
     /// Run them on the tested firmware, firmware/unoclp-uno.hex with its symbols, and build none
@@ -71,22 +75,51 @@ pub fn run(args: &TestArgs) -> Result<()> {
         say(
             "quick: without clippy, documentation and its examples; one of eleven random rounds and cases",
         );
-        let (programs, ()) = both(
-            || steps.take("compiling the tests", programs::compile),
+        say(&format!(
+            "quick: without what took {} s or more in the last whole run, and without {}",
+            LONG.as_secs(),
+            long::WHOLE.join(", ")
+        ));
+        let times = programs::Times::load();
+        let is_quick = |name: &str| {
+            let is_whole = long::WHOLE.iter().any(|long| name.ends_with(long));
+            !is_whole && (long::is_of_cases(name) || !times.took(name, LONG))
+        };
+        round.percent = QUICK;
+        let is_asked = |name: &str| is_quick(name) && is_wanted(name);
+        let ((programs, tally), ()) = both(
+            || {
+                let programs = steps.take("compiling the tests", programs::compile)?;
+                let tally = test_pc(&steps, &programs, &round, is_asked)?;
+                Ok((programs, tally))
+            },
             || build_firmware().and_then(|()| build_lab(&steps)),
         )?;
-        say(&format!("quick: without {}", long::WHOLE.join(", ")));
-        let is_quick = |name: &str| !long::WHOLE.iter().any(|long| name.ends_with(long));
-        round.percent = QUICK;
-        let tally = steps.take("tests", || {
-            programs.run(&round, |name| is_quick(name) && is_wanted(name))
-        })?;
+        let tally = tally.and(test_uno(&steps, &programs, &round, is_asked)?);
         return report(&steps, &tally, test_lab(&steps, &round)?);
     }
     steps.take("format", format)?;
-    // The AVR build has a folder of its own, and mostly one processor's worth of work.
-    let ((programs, examples), ()) = both(
-        || check_and_compile(&steps),
+    // What waits for the lock of `target/` beside what has a folder of its own: each side is about one processor's work.
+    // Whichever has done its own takes what is left of the page's tests with the other.
+    let pages = lab::Tests::find()?;
+    let (compiled, are_compiled) = gate();
+    let (firmware_built, is_firmware_built) = gate();
+    let (page_built, is_page_built) = gate();
+    let ((tally, mut others), of_the_page) = both(
+        || {
+            let programs = check_and_compile(&steps)?;
+            compiled.open();
+            let mut others = steps.take("examples in the documentation", test_examples)?;
+            let tally = test_pc(&steps, &programs, &round, is_wanted)?;
+            is_firmware_built.pass()?;
+            let tally = tally.and(test_uno(&steps, &programs, &round, is_wanted)?);
+            others += test_lab(&steps, &round)?;
+            is_page_built.pass()?;
+            // This puts another `unoclp` in the place of the one that has been tested.
+            others += test_page_inside(&steps)?;
+            others += pages.run(&steps)?;
+            Ok((tally, others))
+        },
         || {
             if !args.kept {
                 for board in firmware::BOARDS {
@@ -96,37 +129,28 @@ pub fn run(args: &TestArgs) -> Result<()> {
                 }
             }
             build_firmware()?;
-            build_lab(&steps)
+            build_lab(&steps)?;
+            firmware_built.open();
+            let page = ["lab", "--build"];
+            steps.run_aside("the page", Command::new(&xtask).args(page))?;
+            page_built.open();
+            // Some pages speak to the simulated UNO.
+            are_compiled.pass()?;
+            pages.run(&steps)
         },
     )?;
-    // So has WebAssembly, and a page runs one UNO at a time.
-    let (tally, of_the_page) = both(
-        || {
-            steps.take("tests on the PC and on the simulated UNO", || {
-                programs.run(&round, is_wanted)
-            })
-        },
-        || test_page(&steps, &xtask),
-    )?;
-    let mut others = examples;
     others += of_the_page;
-    others += test_lab(&steps, &round)?;
     report(&steps, &tally, others)
 }
 
-/// Builds the page, and tries it in Chromium and inside the program `unoclp`.
-fn test_page(steps: &Steps, xtask: &Path) -> Result<Count> {
-    steps.run_aside("the page", Command::new(xtask).args(["lab", "--build"]))?;
-    let mut page = lab::tests()?;
-    let mut count =
-        steps.count_aside("tests of the page in Chromium", &mut page, count::by_node)?;
+/// Tries the page inside the program `unoclp`.
+fn test_page_inside(steps: &Steps) -> Result<Count> {
     let mut serve = cargo();
     // With the features that the other tests have been compiled with: hardly anything is compiled again.
     serve.arg("test").args(HOST).args(["--test", "serve"]);
     serve.args(["--features", "xtask/avr-tools,unoclp-cli/page"]);
     let inside = "tests of the page inside unoclp";
-    count += steps.count_aside(inside, &mut serve, count::by_cargo)?;
-    Ok(count)
+    steps.count_aside(inside, &mut serve, count::by_cargo)
 }
 
 /// Sets up, builds, and makes many times the rounds of the random tests.
@@ -145,18 +169,11 @@ pub fn soak(args: &SoakArgs) -> Result<()> {
         percent: 100 * args.times,
         ..Round::default()
     };
-    let tests = || programs.run(&round, is_random);
+    let tests = || programs.run(&round, long::is_random);
     let tally = steps.take("random tests", tests)?;
     steps.run_aside("the page", Command::new(&xtask).args(["lab", "--build"]))?;
     let open = steps.take("a page that is open for ten minutes", lab::soak)?;
     report(&steps, &tally, open)
-}
-
-/// Whether a test makes as many rounds as it is told to: its name says so.
-fn is_random(name: &str) -> bool {
-    ["random", "mutated", "a_long_run"]
-        .iter()
-        .any(|word| name.contains(word))
 }
 
 fn format() -> Result<()> {
@@ -165,8 +182,8 @@ fn format() -> Result<()> {
     shell::run(cargo().args(fuzz))
 }
 
-/// What waits for the one lock of `target/`: clippy, the documentation, its examples, and the tests' programs.
-fn check_and_compile(steps: &Steps) -> Result<(programs::Programs, Count)> {
+/// What waits for the one lock of `target/`: clippy, the documentation, and the tests' programs.
+fn check_and_compile(steps: &Steps) -> Result<programs::Programs> {
     steps.take("clippy on what runs on a PC", || {
         let mut clippy = cargo();
         clippy.arg("clippy").args(HOST).arg("--all-targets");
@@ -177,13 +194,41 @@ fn check_and_compile(steps: &Steps) -> Result<(programs::Programs, Count)> {
         doc.args(["doc", "--no-deps"]).args(HOST);
         shell::run(doc.env("RUSTDOCFLAGS", "-D warnings"))
     })?;
-    let programs = steps.take("compiling the tests", programs::compile)?;
-    let examples = steps.take("examples in the documentation", || {
-        let mut examples = cargo();
-        examples.args(["test", "--doc"]).args(HOST);
-        count::tests(&mut examples, count::by_cargo)
-    })?;
-    Ok((programs, examples))
+    steps.take("compiling the tests", programs::compile)
+}
+
+/// Tests on the PC: these need no firmware that was built here.
+fn test_pc(
+    steps: &Steps,
+    programs: &programs::Programs,
+    round: &Round,
+    is_wanted: impl Fn(&str) -> bool,
+) -> Result<Tally> {
+    steps.take("tests on the PC", || {
+        programs.run(round, |name| {
+            !programs::needs_firmware(name) && is_wanted(name)
+        })
+    })
+}
+
+/// Tests on the simulated UNO, and of xtask itself.
+fn test_uno(
+    steps: &Steps,
+    programs: &programs::Programs,
+    round: &Round,
+    is_wanted: impl Fn(&str) -> bool,
+) -> Result<Tally> {
+    steps.take("tests on the simulated UNO", || {
+        programs.run(round, |name| {
+            programs::needs_firmware(name) && is_wanted(name)
+        })
+    })
+}
+
+fn test_examples() -> Result<Count> {
+    let mut examples = cargo();
+    examples.args(["test", "--doc"]).args(HOST);
+    count::tests(&mut examples, count::by_cargo)
 }
 
 /// Where xtask stands, asked before anything is compiled: after that another program may stand in its place, and the

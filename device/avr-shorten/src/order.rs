@@ -10,16 +10,16 @@ use super::assembly::{Code, Item, Line, Unit};
 use super::effects::{Flow, bytes, flow};
 
 /// How far a short call reaches, in bytes. The linker, which knows every address, says the last word.
-const REACH: i64 = 4_094;
+const REACH: i32 = 4_094;
 
 /// A section of code, and which labels in it or in others its code leads to.
 struct Section {
     directive: String,
-    length: i64,
+    length: i32,
     /// Each with its offset.
-    labels: Vec<(String, i64)>,
+    labels: Vec<(String, i32)>,
     /// Each with its offset.
-    calls: Vec<(String, i64)>,
+    calls: Vec<(String, i32)>,
 }
 
 /// Names the sections in front of the assembly, in a better order.
@@ -95,7 +95,7 @@ fn add(line: &Line, found: &mut [Section], current: Option<usize>) {
                     .push((code.operand(0).to_owned(), section.length));
             }
             // Most calls will be short.
-            section.length += if is_long(code) { 2 } else { bytes(code) as i64 };
+            section.length += if is_long(code) { 2 } else { bytes(code) as i32 };
         }
         Line::Other(_) => {}
     }
@@ -105,22 +105,44 @@ fn is_long(code: &Code) -> bool {
     matches!(flow(code), Flow::Call(_) | Flow::Jump(_)) && bytes(code) == 4
 }
 
-/// A call from one section into another: where it is in the one, where it leads in the other.
-type Call = ((usize, i64), (usize, i64));
+/// A call from one section into another, and how much further in its section the label is than the call is in its own.
+struct Call {
+    from: u16,
+    to: u16,
+    further: i32,
+}
+
+impl Call {
+    /// How far it leads, where sections start so.
+    #[inline(always)]
+    fn distance(&self, starts: &[i32]) -> i32 {
+        let between = starts[usize::from(self.to)].wrapping_sub(starts[usize::from(self.from)]);
+        between.wrapping_add(self.further)
+    }
+
+    #[inline(always)]
+    fn is_long(&self, starts: &[i32]) -> bool {
+        self.distance(starts).wrapping_add(REACH) as u32 > 2 * REACH as u32
+    }
+}
 
 /// The calls from one section into another.
 fn calls(sections: &[Section]) -> Vec<Call> {
-    let mut places: BTreeMap<&str, (usize, i64)> = BTreeMap::new();
-    for (n, section) in sections.iter().enumerate() {
+    let mut places: BTreeMap<&str, (u16, i32)> = BTreeMap::new();
+    for (n, section) in (0..).zip(sections) {
         for (name, offset) in &section.labels {
             places.insert(name, (n, *offset));
         }
     }
-    let calls = sections.iter().enumerate().flat_map(|(n, section)| {
+    let calls = (0..).zip(sections).flat_map(|(n, section)| {
         let places = &places;
         section.calls.iter().filter_map(move |(name, offset)| {
             let &target = places.get(name.as_str())?;
-            (target.0 != n).then_some(((n, *offset), target))
+            (target.0 != n).then_some(Call {
+                from: n,
+                to: target.0,
+                further: target.1 - offset,
+            })
         })
     });
     calls.collect()
@@ -135,28 +157,36 @@ const WORSE: usize = 12;
 /// moved, or turned round as well; what is not much worse than the best so far is kept, and less and less of it.
 /// (Moving one section at a time until nothing gets better leaves twice as many calls too long.)
 fn best_order(sections: &[Section]) -> Vec<usize> {
-    let calls = calls(sections);
+    let mut calls = calls(sections);
+    let lengths: Vec<i32> = sections.iter().map(|section| section.length).collect();
     let mut order: Vec<usize> = (0..sections.len()).collect();
     if order.len() < 2 {
         return order;
     }
     let mut chance = Chance(1);
-    let mut best = (cost(sections, &calls, &order), order.clone());
+    let mut starts = vec![0; sections.len()];
+    place(&lengths, &order, &mut starts);
+    let mut best = (cost(&mut calls, &starts), order.clone());
+    let mut other = order.clone();
     for tries in 0..TRIES {
         let most = if chance.below(2) == 0 { 3 } else { 40 };
         let length = (1 + chance.below(most)).min(order.len() - 1);
         let from = chance.below(order.len() - length + 1);
-        let mut other = order.clone();
-        let mut row: Vec<usize> = other.drain(from..from + length).collect();
+        other.copy_from_slice(&order);
         if chance.below(3) == 0 {
-            row.reverse();
+            other[from..from + length].reverse();
         }
-        let to = chance.below(other.len() + 1);
-        other.splice(to..to, row);
-        let cost = cost(sections, &calls, &other);
+        let to = chance.below(order.len() - length + 1);
+        if to < from {
+            other[to..from + length].rotate_right(length);
+        } else {
+            other[from..to + length].rotate_left(length);
+        }
+        place(&lengths, &other, &mut starts);
         let (least, _) = best.0;
-        if cost.0 <= least + WORSE * (TRIES - tries) / TRIES {
-            order = other;
+        if is_within(least + WORSE * (TRIES - tries) / TRIES, &calls, &starts) {
+            std::mem::swap(&mut order, &mut other);
+            let cost = cost(&mut calls, &starts);
             if cost < best.0 {
                 best = (cost, order.clone());
             }
@@ -179,20 +209,35 @@ impl Chance {
     }
 }
 
-/// The calls that are too long, and by how much they are.
-fn cost(sections: &[Section], calls: &[Call], order: &[usize]) -> (usize, i64) {
-    let mut starts = vec![0; sections.len()];
-    let mut at = 0;
+/// Where each section starts in this order.
+fn place(lengths: &[i32], order: &[usize], starts: &mut [i32]) {
+    let mut at: i32 = 0;
     for &n in order {
         starts[n] = at;
-        at += sections[n].length;
+        at = at.wrapping_add(lengths[n]);
     }
+}
+
+/// Whether no more than so many calls are too long. Most of the time goes by here: most orders are much worse, and that
+/// shows soon, since the calls that have been too long come first.
+fn is_within(most: usize, calls: &[Call], starts: &[i32]) -> bool {
+    let mut long: u32 = 0;
+    calls.chunks(16).all(|calls| {
+        for call in calls {
+            long = long.wrapping_add(call.is_long(starts).into());
+        }
+        long as usize <= most
+    })
+}
+
+/// The calls that are too long, and by how much they are. They are first from then on.
+fn cost(calls: &mut [Call], starts: &[i32]) -> (usize, i64) {
     let mut cost = (0, 0);
-    for &((from, offset), (to, target)) in calls {
-        let distance = (starts[to] + target - starts[from] - offset).abs();
-        if distance > REACH {
+    for n in 0..calls.len() {
+        if calls[n].is_long(starts) {
+            cost.1 += i64::from(calls[n].distance(starts).abs() - REACH);
+            calls.swap(n, cost.0);
             cost.0 += 1;
-            cost.1 += distance - REACH;
         }
     }
     cost

@@ -1,7 +1,7 @@
 //! What variables are on the board, and what is written at contacts and inputs.
 
 use unoclp_lang::given;
-use unoclp_lang::typed::Base;
+use unoclp_lang::typed::{Base, Enumeration};
 use unoclp_point::Address;
 
 /// What a variable is on the board.
@@ -47,7 +47,9 @@ pub(crate) fn point(symbol: Symbol) -> Option<Address> {
 /// The number, time or truth that a text says, as a register holds it.
 pub(crate) fn number(text: &str) -> Option<i32> {
     let bases = [Base::Dint, Base::Time, Base::Dword, Base::Bool];
-    let value = bases.into_iter().find_map(|base| given(text, base, &[]))?;
+    let value = bases
+        .into_iter()
+        .find_map(|base| given(text, base, &Enumeration::default()))?;
     let number = value.int();
     i32::try_from(number)
         .or_else(|_| u32::try_from(number).map(u32::cast_signed))

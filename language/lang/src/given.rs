@@ -1,15 +1,12 @@
 //! Values as a person gives them to a symbol: `TRUE`, `5`, `T#20s`, `Red`, `'text'`.
 
-use crate::typed::{Base, Value, literal};
+use crate::typed::{Base, Enumeration, Value, literal};
 
 /// The value of this text for a symbol of this type, whose enumeration has these values; none if it is none.
-pub fn given(text: &str, base: Base, values: &[String]) -> Option<Value> {
+pub fn given(text: &str, base: Base, values: &Enumeration) -> Option<Value> {
     let text = text.trim();
-    if let Some(at) = values
-        .iter()
-        .position(|name| name.eq_ignore_ascii_case(text))
-    {
-        return Some(Value::Int(at as i128));
+    if let Some(number) = values.number_of(|name| name.eq_ignore_ascii_case(text)) {
+        return Some(Value::Int(number.into()));
     }
     if base.is_text() {
         let quoted =
@@ -30,7 +27,7 @@ mod tests {
 
     #[test]
     fn a_value_fits_its_type_or_is_none() {
-        let colors = ["Red".to_owned(), "Green".to_owned()];
+        let colors = Enumeration::new(vec![("Red".to_owned(), 0), ("Green".to_owned(), 1)]);
         for (text, base, value) in [
             ("1", Base::Bool, Some(Value::Int(1))),
             ("-5", Base::Int, Some(Value::Int(-5))),
@@ -44,7 +41,7 @@ mod tests {
             ("on", Base::Bool, None),
             ("T#2s", Base::Int, None),
         ] {
-            assert_eq!(given(text, base, &[]), value, "{text}");
+            assert_eq!(given(text, base, &Enumeration::default()), value, "{text}");
         }
         assert_eq!(given("green", Base::Int, &colors), Some(Value::Int(1)));
     }

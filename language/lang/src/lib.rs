@@ -15,6 +15,7 @@
 
 #![forbid(unsafe_code)]
 
+mod adapt;
 mod ast;
 mod back;
 mod code;
@@ -58,6 +59,7 @@ pub mod typed;
 mod whole;
 mod words;
 
+pub use adapt::{Adapted, adapt};
 pub use back::{instructions_to_il, to_il};
 pub use code::{CompiledText, Held, Holding, Shows, Trace, Variable, compile_text, literal};
 pub use colour::Colour;

@@ -29,7 +29,7 @@ impl Dialect {
 }
 
 /// The first and the last point of a kind; none of a kind that is not counted, or not without gaps.
-fn range(kind: Kind, board: Board) -> Option<(u16, u16)> {
+pub(crate) fn range(kind: Kind, board: Board) -> Option<(u16, u16)> {
     Some(match kind {
         Kind::Input => (1, board.inputs.into()),
         Kind::Output => (1, board.outputs.into()),

@@ -10,7 +10,7 @@
 //! - `facts`: the board that a program is for, and what it has
 //! - `program`: a text as a person has written it, and what there is to show of it
 //! - `tell`: problems, with their places
-//! - `draw`: ladders and lists
+//! - `draw`: ladders and lists; `adapt`: a text with its points on this board
 //! - `edit`: a program that a person draws
 //! - `exercise`: scenarios as checks of a student's program
 //! - `card`: images of cards
@@ -25,6 +25,8 @@
 
 #![deny(unsafe_code)]
 
+#[cfg(feature = "full")]
+mod adapt;
 mod board;
 mod call;
 #[cfg(feature = "full")]

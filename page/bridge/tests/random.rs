@@ -28,6 +28,7 @@ fn requests() -> Vec<Value> {
         with(json!({ "ask": "ladder", "width": 64, "speak": "pt" })),
         with(json!({ "ask": "list", "as": "svg", "width": 64, "speak": "en" })),
         with(json!({ "ask": "list", "as": "xml", "width": 64, "speak": "pt" })),
+        with(json!({ "ask": "adapt" })),
         with(json!({ "ask": "pages", "letter": true, "width": 64, "speak": "en" })),
         with(
             json!({ "ask": "exercise", "title": "x", "scenario": "until = 5\n[[expect]]\nat = 1\n" }),

@@ -57,6 +57,16 @@ enum Command {
         #[command(flatten)]
         wording: Wording,
     },
+    /// Give the points of a text that a board lacks a place on it, in a copy
+    Adapt {
+        /// The text: Instruction List (.il) or Structured Text (.st, .scl); - reads it from standard input
+        file: PathBuf,
+        /// Where to write the copy, over nothing that is there; to standard output without it, and for -
+        #[arg(short, long, value_name = "COPY")]
+        output: Option<PathBuf>,
+        #[command(flatten)]
+        wording: Wording,
+    },
     /// Show a program as a ladder diagram, Instruction List, Structured Text, PLCopen XML, or numeric code with its meaning
     List {
         /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
@@ -269,6 +279,11 @@ fn main() -> ExitCode {
             over,
             wording,
         } => commands::compile(&file, output.as_deref(), over, &wording),
+        Command::Adapt {
+            file,
+            output,
+            wording,
+        } => commands::adapt(&file, output.as_deref(), &wording),
         Command::List {
             file,
             wording,

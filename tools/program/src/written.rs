@@ -7,8 +7,8 @@ use std::path::Path;
 use unoclp_checked::{Diagnosis, numeric};
 use unoclp_core::Board;
 use unoclp_lang::{
-    Colour, Dialect, Options, Span, TextLanguage, Told, colours, colours_of_list, compile_text,
-    compile_untyped, has_types,
+    Adapted, Colour, Dialect, Options, Span, TextLanguage, Told, adapt, colours, colours_of_list,
+    compile_text, compile_untyped, has_types,
 };
 
 /// A program file. Its language is known, if it has one, and nothing else.
@@ -119,6 +119,24 @@ impl Written {
             WrittenIn::Typed(language) => Way::Typed(language),
             WrittenIn::Xml => Way::Xml,
         })
+    }
+
+    /// Its text with a free point of the board in the place of each that the board lacks; none in a language whose points
+    /// are names of its own.
+    ///
+    /// # Errors
+    /// If it is no program in any of the languages.
+    pub fn adapted(&self) -> Result<Option<Adapted>, NoProgram> {
+        let language = match self.language? {
+            WrittenIn::Il => TextLanguage::Il,
+            WrittenIn::Typed(language) => language,
+            WrittenIn::Numeric | WrittenIn::Xml => return Ok(None),
+        };
+        let text = decode(&self.bytes);
+        match text.trim().is_empty() {
+            true => Err(NoProgram::Empty),
+            false => Ok(adapt(&text, language, self.board)),
+        }
     }
 
     fn none(self, why: NoProgram) -> Refused {

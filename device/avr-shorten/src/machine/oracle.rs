@@ -74,13 +74,17 @@ impl Oracle {
     /// The answer as a byte: often 0, or a value that the code compares with, or one beside it, or half of a
     /// word that it compares with where the other half is the next answer.
     pub fn byte(&self, question: Question) -> u8 {
-        if let Some([low, _]) = self.word(question) {
+        let answer = self.answer(question);
+        if question.begins_word()
+            && let Some([low, _]) = self.word(answer)
+        {
             return low;
         }
-        if let Some([_, high]) = question.before().and_then(|before| self.word(before)) {
+        if let Some(before) = question.before().filter(|before| before.begins_word())
+            && let Some([_, high]) = self.word(self.answer(before))
+        {
             return high;
         }
-        let answer = self.answer(question);
         let byte = (answer >> 8) as u8;
         let place = (answer >> 16) as usize % self.constants.bytes.len().max(1);
         let known = self.constants.bytes.get(place).copied().unwrap_or(byte);
@@ -95,12 +99,11 @@ impl Oracle {
         }
     }
 
-    /// The word that begins here, if one does.
-    fn word(&self, question: Question) -> Option<[u8; 2]> {
-        let answer = self.answer(question);
+    /// The word that begins where one may, if this answer has it begin.
+    fn word(&self, answer: u64) -> Option<[u8; 2]> {
         let place = (answer >> 8) as usize % self.constants.words.len().max(1);
         let word = *self.constants.words.get(place)?;
-        (question.begins_word() && answer >> 4 & 0xF < 3).then_some(word)
+        (answer >> 4 & 0xF < 3).then_some(word)
     }
 }
 

@@ -221,9 +221,9 @@ impl Allotter<'_> {
                 continue;
             }
             let (up, down, count, preset) = match block {
-                Standard::Ctu => (Some(3), None, 4, 2),
-                Standard::Ctd => (None, Some(3), 4, 2),
-                Standard::Ctud => (Some(5), Some(6), 7, 4),
+                Standard::Ctu | Standard::CtuDint => (Some(3), None, 4, 2),
+                Standard::Ctd | Standard::CtdDint => (None, Some(3), 4, 2),
+                Standard::Ctud | Standard::CtudDint => (Some(5), Some(6), 7, 4),
                 _ => continue,
             };
             counters += 1;

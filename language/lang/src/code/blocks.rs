@@ -71,7 +71,7 @@ impl Coder<'_, '_> {
                 let (on, preset) = (input(self, 0), input(self, 1));
                 return self.timer(block, cell, &on, &preset, next);
             }
-            Standard::Ctu => {
+            Standard::Ctu | Standard::CtuDint => {
                 let (up, reset, preset) = (input(self, 0), input(self, 1), input(self, 2));
                 let Some(&counter) = self.seats.counters.get(&cell) else {
                     return false;
@@ -81,7 +81,7 @@ impl Coder<'_, '_> {
                 self.reset(counter, &reset, cell);
                 self.reached(cell + 3, Seat::At(Address::Reached(counter)));
             }
-            Standard::Ctd => {
+            Standard::Ctd | Standard::CtdDint => {
                 let (down, load, mut preset) = (input(self, 0), input(self, 1), input(self, 2));
                 // It is loaded where LD is 1 alone, and computed always.
                 if may_fail(&preset) {
@@ -97,7 +97,7 @@ impl Coder<'_, '_> {
                 self.load_counter(counter, &load, &preset, cell);
                 self.reached(cell + 3, Seat::At(Address::AtZero(counter)));
             }
-            Standard::Ctud => {
+            Standard::Ctud | Standard::CtudDint => {
                 let (up, down) = (input(self, 0), input(self, 1));
                 let (reset, load) = (input(self, 2), input(self, 3));
                 let mut preset = input(self, 4);

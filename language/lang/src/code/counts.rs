@@ -20,8 +20,8 @@ fn collect(steps: &[Step], counts: &mut HashSet<u32>) {
     for step in steps {
         if let Does::Standard(block, cell, _) = &step.does {
             let part = match block {
-                Standard::Ctu | Standard::Ctd => 4,
-                Standard::Ctud => 7,
+                Standard::Ctu | Standard::CtuDint | Standard::Ctd | Standard::CtdDint => 4,
+                Standard::Ctud | Standard::CtudDint => 7,
                 _ => continue,
             };
             counts.insert(cell + part);

@@ -88,6 +88,13 @@ impl Uses {
 
     /// A code of the board remembers for itself; an edge that is called again has a memory for all its calls.
     fn edges(&mut self) {
+        for called in self.blocks.values_mut() {
+            let mut loops = self.loops.iter();
+            // Each turn of a loop is a call.
+            if loops.any(|(begin, end)| (*begin..=*end).contains(&called.at)) {
+                called.count += 1;
+            }
+        }
         let again = self.blocks.iter();
         let again = again.filter(|(_, called)| called.block.is_edge() && called.count > 1);
         let memories: Vec<u32> = again.map(|(cell, _)| cell + EDGE_MEMORY).collect();

@@ -3,7 +3,9 @@
 //! Owns which of the tree's symbols stands where, and how what is read there becomes a value. Must not know how it is read.
 
 use super::seats::{Seat, Seats};
-use crate::typed::{Base, Expr, ExprKind, Holds, Root, Stmt, StmtKind, Symbol, Tree, Value, Width};
+use crate::typed::{
+    Base, Enumeration, Expr, ExprKind, Holds, Root, Stmt, StmtKind, Symbol, Tree, Value, Width,
+};
 use std::collections::HashSet;
 use std::sync::Arc;
 use unoclp_point::Address;
@@ -36,8 +38,8 @@ pub struct Variable {
     pub name: String,
     /// Its type, as a person writes it.
     pub type_name: String,
-    /// The name after an enumeration's number, in order of the numbers.
-    pub values: Arc<Vec<String>>,
+    /// Its values, if it is of an enumeration.
+    pub values: Arc<Enumeration>,
     /// How the board holds it.
     pub holding: Holding,
     /// Whether PRINT asks to show it.
@@ -81,14 +83,16 @@ impl Variable {
 
 /// These 32 bits of the board as a literal of this type, or as the name of this variable's enumeration.
 pub fn literal(bits: i32, base: Base, variable: Option<&Variable>) -> String {
-    let names = variable.map_or(&[][..], |variable| &variable.values);
-    named(&of_bits(bits, base), base, names)
+    let value = of_bits(bits, base);
+    match variable {
+        Some(variable) => named(&value, base, &variable.values),
+        None => value.shown(base),
+    }
 }
 
-fn named(value: &Value, base: Base, names: &[String]) -> String {
-    let at = usize::try_from(value.int()).ok();
-    let named = at.and_then(|at| names.get(at));
-    named.cloned().unwrap_or_else(|| value.shown(base))
+fn named(value: &Value, base: Base, values: &Enumeration) -> String {
+    let named = values.name_of(value.int());
+    named.map_or_else(|| value.shown(base), str::to_owned)
 }
 
 /// The value that 32 bits of the board are, read as this type.

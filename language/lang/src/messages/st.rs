@@ -113,6 +113,21 @@ macro_rules! st_rows {
         "use shorter names or a smaller array"
         "juntos, os nomes de todas as partes de `{0}` são longos demais"
         "use nomes mais curtos, ou uma matriz menor";
+    123 StForeignUnit Warning
+        "`{0}` contains C code and is ignored: nothing uses it"
+        "you need not change anything"
+        "`{0}` contém código em C e é ignorado: nada o usa"
+        "você não precisa mudar nada";
+    124 StForeignCode Error
+        "`{0}` contains C code in double braces, which the board does not run"
+        "write it in Structured Text, or delete what uses it"
+        "`{0}` contém código em C entre chaves duplas, que a placa não executa"
+        "escreva-o em Texto Estruturado, ou apague o que o usa";
+    125 StInputWritten Warning
+        "`{0}` is an input of this unit, and the unit changes it"
+        "use a variable of its own: VAR x : INT; END_VAR"
+        "`{0}` é uma entrada desta unidade, e a unidade a altera"
+        "use uma variável própria: VAR x : INT; END_VAR";
     130 StUndeclared Error
         "nothing declares `{0}`"
         "{1}"

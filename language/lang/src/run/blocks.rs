@@ -72,9 +72,9 @@ impl Machine<'_> {
                 cells.put("#M", clk);
                 cells.put("Q", !clk && before);
             }
-            Standard::Ctu => up(&mut cells),
-            Standard::Ctd => down(&mut cells),
-            Standard::Ctud => both(&mut cells),
+            Standard::Ctu | Standard::CtuDint => up(&mut cells),
+            Standard::Ctd | Standard::CtdDint => down(&mut cells),
+            Standard::Ctud | Standard::CtudDint => both(&mut cells),
             Standard::Ton => on_delay(&mut cells, now),
             Standard::Tof => off_delay(&mut cells, now),
             Standard::Tp => pulse(&mut cells, now),

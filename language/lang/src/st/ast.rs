@@ -51,7 +51,19 @@ pub(super) struct Path {
 #[derive(Debug)]
 pub(super) enum Part {
     Member(Name),
+    /// `.3`: a bit of a number, by its place.
+    Bit(Name),
     Subscripts(Vec<Node>, Span),
+}
+
+impl Path {
+    /// Of `word.3`, what stands before the bit, and the bit.
+    pub(super) fn bit(&self) -> Option<(&[Part], &Name)> {
+        match self.parts.split_last() {
+            Some((Part::Bit(bit), parts)) => Some((parts, bit)),
+            _ => None,
+        }
+    }
 }
 
 /// What stands in the parentheses of a call.
@@ -80,6 +92,8 @@ pub(super) enum StatementKind {
     Exit,
     Continue,
     Return,
+    /// A statement that is done where EN is TRUE, and the variable that takes ENO.
+    Enabled(Option<Node>, Option<Path>, Box<Statement>),
 }
 
 /// FOR.
@@ -110,7 +124,8 @@ pub(super) enum SpecKind {
     Named(Name),
     /// `STRING[20]`
     Text(Base, Option<Box<Node>>),
-    Enum(Vec<Name>),
+    /// Values, some with their numbers.
+    Enum(Vec<(Name, Option<Node>)>),
     Range(Name, Box<(Node, Node)>),
     Array(Vec<(Node, Node)>, Box<TypeSpec>),
     Struct(Vec<Decl>),
@@ -221,4 +236,6 @@ pub(super) struct File {
     pub types: Vec<TypeDecl>,
     pub globals: Vec<Vars>,
     pub units: Vec<UnitDecl>,
+    /// Functions and blocks that contain code for another machine; nothing else of them is read.
+    pub foreign: Vec<Name>,
 }

@@ -8,6 +8,9 @@ use crate::diagnostics::{Code, Span};
 impl Lexer<'_, '_> {
     /// `(* … *)`, which may hold others; where that leaves one open to the end of the text, they do not count.
     pub(super) fn comment(&mut self) {
+        if self.debug_line() {
+            return;
+        }
         let start = self.scan.at;
         let (mut depth, mut first) = (0_usize, None);
         while !self.scan.is_at_end() {
@@ -36,6 +39,31 @@ impl Lexer<'_, '_> {
         }
     }
 
+    /// Skips `(*DBG: … *)`, in which OpenPLC keeps a line of C, whatever that has for comments.
+    fn debug_line(&mut self) -> bool {
+        let line = self.scan.rest().lines().next().unwrap_or_default();
+        let is = line.starts_with("(*DBG:") && line.trim_end().ends_with("*)");
+        if is {
+            self.scan.at += line.len();
+        }
+        is
+    }
+
+    /// Skips `{{ … }}`, in which editors keep C.
+    pub(super) fn foreign_code(&mut self) {
+        let start = self.scan.at;
+        match self.scan.rest().find("}}") {
+            Some(end) => self.scan.at += end + 2,
+            None => {
+                self.scan.at += 2;
+                let words = ["{{".into(), "}}".into()];
+                let span = self.scan.span(start);
+                self.found.tell(Code::StNotClosed, span, words);
+                self.scan.at = self.scan.text.len();
+            }
+        }
+    }
+
     /// `/* … */`
     pub(super) fn slashed(&mut self) {
         let start = self.scan.at;
@@ -58,7 +86,8 @@ impl Lexer<'_, '_> {
         self.found.tell(Code::StCommentOpen, span, []);
     }
 
-    /// Skips `{attribute 'x'}`, `{ S7_Optimized_Access := 'TRUE' }`: braces on one line that begin with such a word.
+    /// Skips `{attribute 'x'}`, `{ S7_Optimized_Access := 'TRUE' }`, `{enable code}`: braces on one line that begin with
+    /// such a word, or hold words alone.
     pub(super) fn is_pragma(&mut self) -> bool {
         let rest = self.scan.rest();
         let line = rest
@@ -83,7 +112,10 @@ impl Lexer<'_, '_> {
             "Extern",
             "EXTERNAL",
         ];
-        let is = known.iter().any(|word| words.starts_with(word));
+        let alone = words
+            .bytes()
+            .all(|byte| byte.is_ascii_alphanumeric() || b"_ \t".contains(&byte));
+        let is = alone && !words.is_empty() || known.iter().any(|word| words.starts_with(word));
         if is {
             self.scan.at += end + 1;
         }

@@ -60,6 +60,10 @@ impl Lexer<'_, '_> {
                 b'/' if self.scan.peek(1) == b'/' => self.scan.skip_line(),
                 b'/' if self.scan.peek(1) == b'*' => self.slashed(),
                 b';' if self.remarks => self.scan.skip_line(),
+                b'{' if self.scan.peek(1) == b'{' => {
+                    self.foreign_code();
+                    return self.token(Kind::ForeignCode, start);
+                }
                 b'{' if self.is_pragma() => {}
                 b'0'..=b'9' => {
                     self.number();

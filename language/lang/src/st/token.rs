@@ -56,6 +56,8 @@ pub(crate) enum Kind {
     And,
     /// An operator of another language that stands for more than one here: `+=`, `++`, `{`.
     Foreign,
+    /// `{{ … }}`, code for another machine.
+    ForeignCode,
     End,
 }
 

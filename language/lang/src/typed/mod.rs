@@ -39,6 +39,7 @@
 mod base;
 pub(crate) mod build;
 mod conversions;
+mod enumeration;
 mod expression;
 pub(crate) mod literal;
 pub(crate) mod ops;
@@ -50,6 +51,7 @@ mod value;
 mod width;
 
 pub use base::{Base, Generic, Width};
+pub use enumeration::Enumeration;
 pub use expression::{
     Binary, Call, Compare, Convert, Expr, ExprKind, Extra, Index, Input, Output, Place, Root,
     Store, Unary,
@@ -57,7 +59,6 @@ pub use expression::{
 pub use standard::{Part, Role, Standard};
 pub use statement::{Arm, For, Stmt, StmtKind};
 pub use tree::{Cell, Declared, Holds, Symbol, Tree, Unit, UnitKind};
-pub(crate) use types::some_of;
 pub use types::{Initial, Kind, Member, Type, TypeId, Types};
 pub use value::{Value, days};
 pub(crate) use width::narrow;

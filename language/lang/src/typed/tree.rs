@@ -3,6 +3,7 @@
 //! Nothing in it is open: each expression has its type, each conversion is a node, each variable a place.
 
 use super::base::Base;
+use super::enumeration::Enumeration;
 use super::statement::Stmt;
 use super::types::{TypeId, Types};
 use super::value::Value;
@@ -68,8 +69,8 @@ pub struct Symbol {
     pub holds: Holds,
     /// Its declaration.
     pub at: Span,
-    /// The name after an enumeration's number, in order of the numbers.
-    pub values: Arc<Vec<String>>,
+    /// Its values, if it is of an enumeration.
+    pub values: Arc<Enumeration>,
 }
 
 /// Where the value of a symbol is.

@@ -4,6 +4,7 @@
 //! variables, statements or how a type is written.
 
 use super::base::Base;
+use super::enumeration::Enumeration;
 use super::standard::Standard;
 use super::value::Value;
 use std::sync::Arc;
@@ -34,8 +35,8 @@ pub enum Kind {
         /// The most characters.
         most: u32,
     },
-    /// Named values, from 0.
-    Enum(Arc<Vec<String>>),
+    /// Named values.
+    Enum(Arc<Enumeration>),
     /// A part of an integer type.
     Range {
         /// The type.
@@ -257,7 +258,7 @@ impl Types {
         match &*ty.kind {
             Kind::Base(base) => base.name().to_owned(),
             Kind::Text { base, most } => format!("{base}[{most}]"),
-            Kind::Enum(names) => format!("({})", some_of(names)),
+            Kind::Enum(values) => format!("({})", values.some()),
             Kind::Range { base, low, high } => format!("{base}({low}..{high})"),
             Kind::Array { bounds, of } => {
                 let bounds = bounds.iter().take(MOST_NAMED);
@@ -275,11 +276,5 @@ impl Types {
     }
 }
 
-/// More values of an enumeration, or dimensions of an array, than these are not named in a message.
+/// More dimensions of an array than these are not named in a message.
 const MOST_NAMED: usize = 12;
-
-/// The first of these names, for a message: `Red, Green`.
-pub(crate) fn some_of(names: &[String]) -> String {
-    let some = names.get(..MOST_NAMED).map(|some| some.join(", ") + " …");
-    some.unwrap_or_else(|| names.join(", "))
-}

@@ -269,8 +269,8 @@ impl Case {
     ) -> Result<(), String> {
         let symbol = symbol(tree, name)?;
         let (value, base) = machine.value(symbol);
-        let shown = match symbol.values.get(value.int() as usize) {
-            Some(name) => name.clone(),
+        let shown = match symbol.values.name_of(value.int()) {
+            Some(name) => name.to_owned(),
             None => value.shown(base),
         };
         match shown == wanted {

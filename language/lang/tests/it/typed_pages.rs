@@ -69,8 +69,8 @@ fn each_example_does_what_stands_below_it() {
                 let symbol = tree.symbols.iter().find(|symbol| symbol.name == name);
                 let symbol = symbol.unwrap_or_else(|| panic!("{page}: {name}"));
                 let (value, base) = machine.value(symbol);
-                let named = symbol.values.get(value.int() as usize).cloned();
-                let shown = named.unwrap_or_else(|| value.shown(base));
+                let named = symbol.values.name_of(value.int());
+                let shown = named.map_or_else(|| value.shown(base), str::to_owned);
                 assert_eq!(shown, expected, "{page}: {name} in\n{program}");
             }
         }

@@ -51,15 +51,21 @@ export const mouse = {
   turn: async (page, what, share) => at(page, what).click({ position: await end(page, what, share) }),
 };
 
-/** What sends touches to a page. @type {WeakMap<Page, Promise<import("playwright-core").CDPSession>>} */
-const touches = new WeakMap();
+/** What sends touches and many keys to a page. @type {WeakMap<Page, Promise<import("playwright-core").CDPSession>>} */
+const sessions = new WeakMap();
+
+/** @param {Page} page */
+function sessionOf(page) {
+  // One finger stays with one session.
+  const session = sessions.get(page) ?? page.context().newCDPSession(page);
+  sessions.set(page, session);
+  return session;
+}
 
 /** A finger on a point of the window. @param {Page} page @param {"touchStart" | "touchMove" | "touchEnd"} type */
 export async function touch(page, type, x = 0, y = 0) {
-  // One finger stays with one session.
-  if (!touches.has(page)) touches.set(page, page.context().newCDPSession(page));
-  const session = await touches.get(page);
-  await session?.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x, y }] });
+  const session = await sessionOf(page);
+  await session.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x, y }] });
 }
 
 /** @type {Hand} */
@@ -86,20 +92,35 @@ export const fingers = {
 /** Stops of the Tab key that a page may have. */
 const STOPS = 200;
 
+/** Presses the Tab key so many times, and asks the page nothing meanwhile. @param {Page} page @param {boolean} back @param {number} times */
+async function tabs(page, back, times) {
+  const session = await sessionOf(page);
+  const key = { key: "Tab", code: "Tab", windowsVirtualKeyCode: 9, modifiers: back ? 8 : 0 };
+  const sent = Array.from({ length: times }, () => [session.send("Input.dispatchKeyEvent", { type: "rawKeyDown", ...key }), session.send("Input.dispatchKeyEvent", { type: "keyUp", ...key })]);
+  await Promise.all(sent.flat());
+}
+
 /** Goes somewhere by Tab and Shift+Tab alone, the way that it lies. @param {Page} page @param {string | Locator} what */
 async function reach(page, what) {
   const target = at(page, what);
   await target.waitFor();
   for (let stop = 0; stop < STOPS; stop++) {
-    const { there, edits, isBehind } = await target.evaluate((element) => {
+    const { there, edits, isBehind, sure } = await target.evaluate((element) => {
       const now = document.activeElement;
-      const isBehind = now && element.compareDocumentPosition(now) & Node.DOCUMENT_POSITION_FOLLOWING;
-      return { there: element === now, edits: now?.closest(".cm-editor") !== null, isBehind };
+      const isBehind = Boolean(now && element.compareDocumentPosition(now) & Node.DOCUMENT_POSITION_FOLLOWING);
+      // Stops on the way of which there is no doubt, up to an editor, where Tab means something else.
+      const follows = (/** @type {Element} */ one, /** @type {Element | null} */ other) => Boolean(other && one.compareDocumentPosition(other) & Node.DOCUMENT_POSITION_FOLLOWING);
+      const isBetween = (/** @type {Element} */ one) => (isBehind ? follows(element, one) && follows(one, now) : follows(now ?? element, one) && follows(one, element));
+      const stops = [...document.querySelectorAll(".cm-editor, button:enabled, select:enabled, input:enabled:not([type=radio]), a[href]")].filter(isBetween);
+      if (isBehind) stops.reverse();
+      const editor = stops.findIndex((one) => one.matches(".cm-editor"));
+      const sure = (editor < 0 ? stops : stops.slice(0, editor)).filter((one) => /** @type {HTMLElement} */ (one).tabIndex >= 0 && !one.closest("[inert]") && one.checkVisibility({ visibilityProperty: true }));
+      return { there: element === now, edits: now?.closest(".cm-editor") !== null, isBehind, sure: now === document.body ? 0 : sure.length };
     });
     if (there) return;
     // Within the editor Tab indents, until Escape has left it.
     if (edits) await page.keyboard.press("Escape");
-    await page.keyboard.press(isBehind ? "Shift+Tab" : "Tab");
+    await tabs(page, isBehind, edits ? 1 : Math.max(1, sure));
   }
   throw new Error(`Tab does not lead to ${target}`);
 }

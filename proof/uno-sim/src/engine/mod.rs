@@ -17,6 +17,8 @@ use unoclp_host_sim::engine::{Cell, Engine, Outcome, Refusal};
 
 /// The longest start-up that is waited for, ms: reading a long file takes a while.
 const START_UP: u64 = 20_000;
+/// How long a board that starts runs on before it is looked at what it has said, ms.
+const LOOK: u64 = 10;
 /// The longest scan that is waited for, cycles.
 const LONGEST_SCAN: u64 = 50 * CYCLES_PER_MS;
 /// How long a refused program is watched with all buttons pressed, ms.
@@ -92,7 +94,7 @@ impl<S: Simulated> FirmwareEngine<S> {
         let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
         let limit = uno.cycles() + START_UP * CYCLES_PER_MS;
         let refusal = loop {
-            match uno.run_until(self.scan, CYCLES_PER_MS) {
+            match uno.run_until(self.scan, LOOK * CYCLES_PER_MS) {
                 Ok(()) => break None,
                 Err(Halt::Timeout { .. }) if uno.cycles() < limit => {}
                 Err(halt) => return Err(told(uno, halt)),

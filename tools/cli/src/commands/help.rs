@@ -15,6 +15,10 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     ("compile", "Compila um texto para código numérico"),
     (
+        "adapt",
+        "Dá um lugar na placa aos pontos de um texto que ela não tem, em uma cópia",
+    ),
+    (
         "list",
         "Mostra um programa como diagrama ladder, Lista de Instruções, Texto Estruturado, PLCopen XML ou código numérico com significado",
     ),
@@ -92,6 +96,16 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "compile",
         "file",
         "O texto: Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl), LCE (.lce) ou PLCopen XML (.xml); - o lê da entrada padrão",
+    ),
+    (
+        "adapt",
+        "file",
+        "O texto: Lista de Instruções (.il) ou Texto Estruturado (.st, .scl); - o lê da entrada padrão",
+    ),
+    (
+        "adapt",
+        "output",
+        "Onde escrever a cópia, sobre nada que já exista; sem isto, e com -, na saída padrão",
     ),
     (
         "run",

@@ -2,6 +2,7 @@
 //!
 //! - `open`: reading a program in any of the languages, and `unoclp check`; `wording`: the options for it
 //! - `output`: files that are written, and what is not overwritten
+//! - `adapt`: a text of another PLC with its points on this board
 //! - `compile`, `card`: from a text to numeric code, and onto a card
 //! - `list`, `sim`: a program shown, and simulated
 //! - `plant`: a machine alone, and one that a program controls
@@ -22,6 +23,7 @@ macro_rules! say {
     }};
 }
 
+mod adapt;
 mod card;
 mod compile;
 mod excerpt;
@@ -46,6 +48,7 @@ mod upload;
 mod wording;
 mod words;
 
+pub use adapt::adapt;
 pub use card::card;
 pub use compile::compile;
 pub use flash::{Firmware, flash};

@@ -65,6 +65,7 @@ pub fn check_written(
     wording: &Wording,
     shown: Shown,
 ) -> anyhow::Result<Option<Source>> {
+    let before = written.clone();
     Ok(match written.check(wording.dialect) {
         Ok(source) => {
             if let Some(warnings) = source.language.warnings() {
@@ -105,10 +106,24 @@ pub fn check_written(
                 Shown::Here => say!("{all}{name}: {count}"),
                 Shown::Beside => eprintln!("{all}{name}: {count}"),
             }
+            if let Some(moved) = moved(&before) {
+                eprintln!(
+                    "{}",
+                    messages::can_be_adapted(&name, moved, wording.board.name)
+                );
+            }
             None
         }
         Err(Refused::NoProgram { name, why }) => bail!(no_program(&name, why)),
     })
+}
+
+/// The points of a text that lack on its board and have a free one there, for a message.
+fn moved(written: &Written) -> Option<String> {
+    let adapted = written.adapted().ok()??;
+    let points = adapted.moved.iter().map(|(old, _)| old.as_str());
+    let points: Vec<&str> = points.collect();
+    (!points.is_empty()).then(|| points.join(", "))
 }
 
 /// What a file is that is no program, and what one is.

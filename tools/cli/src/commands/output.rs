@@ -105,10 +105,10 @@ pub fn write(
 /// # Errors
 /// If something is there, or the file cannot be written.
 pub fn write_new(path: &Path, content: &[u8]) -> anyhow::Result<()> {
+    if fs::symlink_metadata(path).is_ok() {
+        bail!(messages::is_there(shown(path)));
+    }
     let written = (|| {
-        if fs::symlink_metadata(path).is_ok() {
-            return Err(io::ErrorKind::AlreadyExists.into());
-        }
         let mut draft = Draft::beside(path)?;
         draft.file.write_all(content)?;
         draft.place()

@@ -17,6 +17,21 @@ unoclp_words::messages! {
     is_compiled(file)
         "{file} is the source; name another output file with -o"
         "{file} é o próprio texto a compilar; indique outro arquivo com -o";
+    is_there(file)
+        "{file} already exists, and nothing is written over it; name another output file"
+        "{file} já existe, e nada é escrito por cima dele; indique outro arquivo de saída";
+    not_adapted(file)
+        "{file} is not Instruction List or Structured Text: only there are points written as %QX1.3"
+        "{file} não é Lista de Instruções nem Texto Estruturado: só neles os pontos se escrevem como %QX1.3";
+    can_be_adapted(file, points, board)
+        "unoclp adapt {file} -o COPY writes a copy in which {points} are free points of the {board}"
+        "unoclp adapt {file} -o COPIA escreve uma cópia em que {points} são pontos livres do {board}";
+    nothing_to_adapt(board)
+        "the {board} has all points of this text; there is no copy"
+        "o {board} tem todos os pontos deste texto; não há cópia";
+    no_place(board, points)
+        "the {board} has no free point for {points}; they stay as they are"
+        "o {board} não tem ponto livre para {points}; eles ficam como estão";
     is_empty(file, languages)
         "{file} is empty: it contains no program. {languages}"
         "{file} está vazio: não há programa nele. {languages}";

@@ -1,5 +1,6 @@
 //! The tests of the program `unoclp`, in one binary.
 
+mod adapt;
 #[cfg(unix)]
 mod board;
 #[cfg(unix)]

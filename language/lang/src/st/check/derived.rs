@@ -6,7 +6,7 @@ use super::super::ast::{Name, Node, SpecKind, TypeSpec};
 use super::{Checker, MOST_WITHIN, State};
 use crate::diagnostics::{Code, Span};
 use crate::typed::build::MOST_CELLS;
-use crate::typed::{Base, Kind, Member, TypeId, UnitKind};
+use crate::typed::{Base, Enumeration, Kind, Member, TypeId, UnitKind};
 use std::collections::HashSet;
 
 fn clamped(number: i128) -> i64 {
@@ -24,6 +24,44 @@ impl Checker<'_, '_, '_> {
             return None;
         }
         Some((first, last))
+    }
+
+    /// Values count on from the one before, the first from 0, where the text gives no number.
+    pub(super) fn enumeration(&mut self, values: &[(Name, Option<Node>)]) -> Option<TypeId> {
+        let mut seen = HashSet::new();
+        let (mut made, mut next) = (Vec::new(), 0);
+        for (name, number) in values {
+            if !seen.insert(self.builder.key(&name.text)) {
+                let text = name.text.as_str().into();
+                self.builder.tell(Code::StNameTwice, name.span, [text]);
+                return None;
+            }
+            let (number, at) = match number {
+                Some(node) => (self.constant(node)?, node.span),
+                None => (next, name.span),
+            };
+            let held = self.within_base(number, Base::Int, at)?;
+            made.push((name.text.clone(), held as i16));
+            next = number + 1;
+        }
+        let kind = Kind::Enum(std::sync::Arc::new(Enumeration::new(made)));
+        Some(self.builder.tree.types.add_kind(kind, 1))
+    }
+
+    /// A number that this type holds; one that it does not is told.
+    fn within_base(&mut self, number: i128, base: Base, at: Span) -> Option<i128> {
+        let (least, most) = base.range()?;
+        if (least..=most).contains(&number) {
+            return Some(number);
+        }
+        let words = [
+            number.to_string().into(),
+            base.name().into(),
+            least.to_string().into(),
+            most.to_string().into(),
+        ];
+        self.builder.tell(Code::StOutOfRange, at, words);
+        None
     }
 
     pub(super) fn range(&mut self, name: &Name, bounds: &(Node, Node)) -> Option<TypeId> {
@@ -54,18 +92,8 @@ impl Checker<'_, '_, '_> {
             return None;
         };
         let (low, high) = self.bounds(&bounds.0, &bounds.1)?;
-        let (least, most) = base.range()?;
         for (number, node) in [(low, &bounds.0), (high, &bounds.1)] {
-            if !(least..=most).contains(&number) {
-                let words = [
-                    number.to_string().into(),
-                    base.name().into(),
-                    least.to_string().into(),
-                    most.to_string().into(),
-                ];
-                self.builder.tell(Code::StOutOfRange, node.span, words);
-                return None;
-            }
+            self.within_base(number, base, node.span)?;
         }
         Some(
             self.builder

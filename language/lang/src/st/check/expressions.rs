@@ -4,7 +4,7 @@ use super::super::ast::{Arg, Name, Node, NodeKind, Op, Part, Path};
 use super::{Checker, State};
 use crate::diagnostics::{Code, Span};
 use crate::typed::build::{Argument, Given, Named, Target, both};
-use crate::typed::{Base, Compare, Expr, Kind, TypeId, Value, some_of};
+use crate::typed::{Base, Compare, Expr, Kind, TypeId, Value};
 
 impl Checker<'_, '_, '_> {
     /// An expression; where one of this type is needed, the values of an enumeration are looked for there first.
@@ -17,6 +17,13 @@ impl Checker<'_, '_, '_> {
             NodeKind::Path(path) => {
                 if let Some(expr) = self.hinted(path, hint) {
                     return expr;
+                }
+                if let Some((ty, value)) = self.dotted(path) {
+                    return self.value_of(ty, value, hint, at);
+                }
+                if let Some((parts, bit)) = path.bit() {
+                    let number = self.part_of(path, parts);
+                    return self.builder.bit(number, &bit.text, at);
                 }
                 let target = self.target(path);
                 self.builder.read(target, at)
@@ -61,18 +68,29 @@ impl Checker<'_, '_, '_> {
             return None;
         }
         let ty = hint?;
-        let Kind::Enum(names) = self.builder.tree.types.kind(ty) else {
+        let Kind::Enum(values) = self.builder.tree.types.kind(ty) else {
             return None;
         };
         let key = self.builder.key(&path.name.text);
-        let at = names
-            .iter()
-            .position(|name| self.builder.key(name) == key)?;
+        let number = values.number_of(|name| self.builder.key(name) == key)?;
         let mut expr = self
             .builder
-            .literal(Base::Int, Value::Int(at as i128), path.span);
+            .literal(Base::Int, Value::Int(number.into()), path.span);
         expr.ty = ty;
         Some(expr)
+    }
+
+    /// `Color.Red`, where no variable has the name of the type: the type and the value.
+    fn dotted<'p>(&self, path: &'p Path) -> Option<(&'p Name, &'p Name)> {
+        let [Part::Member(value)] = path.parts.as_slice() else {
+            return None;
+        };
+        let is_value = match self.builder.find(&path.name.text) {
+            Some(Named::Type(ty)) => matches!(self.builder.tree.types.kind(*ty), Kind::Enum(_)),
+            Some(_) => false,
+            None => self.types.contains_key(&self.builder.key(&path.name.text)),
+        };
+        is_value.then_some((&path.name, value))
     }
 
     /// The type before `#`; none if it is wrong, which is told.
@@ -108,7 +126,7 @@ impl Checker<'_, '_, '_> {
             return expr;
         }
         let names = match self.builder.tree.types.kind(id) {
-            Kind::Enum(names) => some_of(names),
+            Kind::Enum(values) => values.some(),
             _ => String::new(),
         };
         let help = match names.is_empty() {
@@ -122,14 +140,29 @@ impl Checker<'_, '_, '_> {
 
     /// What a name with its members and subscripts stands for; none if that is wrong, which is told.
     pub(super) fn target(&mut self, path: &Path) -> Option<Target> {
+        self.part_of(path, &path.parts)
+    }
+
+    /// What a name with these of its members and subscripts stands for.
+    pub(super) fn part_of(&mut self, path: &Path, parts: &[Part]) -> Option<Target> {
         if self.builder.is_hidden(&path.name.text) {
             self.subscripts_only(path);
             return None;
         }
         let name = self.address(&path.name.text);
         let mut target = self.builder.name(&name, path.name.span);
-        for part in &path.parts {
+        for part in parts {
             match part {
+                Part::Bit(bit) => {
+                    let what = format!(".{}", bit.text);
+                    let help = (
+                        "a bit of a number can only be read and stored; use a BOOL variable here",
+                        "um bit de um número só pode ser lido e guardado; use aqui uma variável BOOL",
+                    );
+                    let words = [what.into(), help.into()];
+                    self.builder.tell(Code::StUnsupported, bit.span, words);
+                    target = None;
+                }
                 Part::Member(name) => {
                     target = target.and_then(|of| self.builder.member(of, &name.text, name.span));
                 }
@@ -159,7 +192,7 @@ impl Checker<'_, '_, '_> {
         let all = arguments.iter();
         all.map(|argument| {
             let given = match &argument.node.kind {
-                NodeKind::Path(path) => match self.target(path) {
+                NodeKind::Path(path) if path.bit().is_none() => match self.target(path) {
                     Some(target) => Given::Place(target),
                     None => Given::Wrong,
                 },
@@ -204,6 +237,10 @@ impl Checker<'_, '_, '_> {
             None if self.builder.is_function(&name.text) => {
                 let given = self.arguments(arguments);
                 return self.builder.function(&name.text, given, at);
+            }
+            None if self.is_foreign(name) => {
+                self.arguments(arguments);
+                return self.builder.wrong(at);
             }
             _ => {}
         }

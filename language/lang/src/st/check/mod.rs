@@ -45,6 +45,8 @@ struct Checker<'a, 't, 'f> {
     units: Vec<(u32, State)>,
     /// Declarations of blocks by their names.
     blocks: HashMap<String, usize>,
+    /// Units with code for another machine by their names, and whether something uses them.
+    foreign: HashMap<String, bool>,
     within: u32,
 }
 
@@ -57,6 +59,7 @@ impl<'a, 't, 'f> Checker<'a, 't, 'f> {
             type_states: vec![State::Not; file.types.len()],
             units: Vec::new(),
             blocks: HashMap::new(),
+            foreign: HashMap::new(),
             within: 0,
         }
     }
@@ -72,6 +75,7 @@ pub(super) fn check(text: &str, file: &File, board: Board, found: &mut Found) ->
     let mut checker = Checker::new(builder, file);
     checker.declare_all();
     checker.bodies();
+    checker.unused_foreign();
     checker.builder.finish()
 }
 

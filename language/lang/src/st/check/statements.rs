@@ -4,7 +4,7 @@ use super::super::ast::{Arm, Counting, Node, NodeKind, Path, Statement, Statemen
 use super::Checker;
 use crate::diagnostics::{Code, Span};
 use crate::typed::build::Named;
-use crate::typed::{Kind, Stmt, StmtKind, UnitKind};
+use crate::typed::{Base, Kind, Stmt, StmtKind, UnitKind, Value};
 use std::collections::BTreeMap;
 
 impl Checker<'_, '_, '_> {
@@ -36,6 +36,10 @@ impl Checker<'_, '_, '_> {
                 return;
             }
             StatementKind::Return => StmtKind::Return,
+            StatementKind::Enabled(en, eno, inner) => {
+                self.enabled(en.as_ref(), eno.as_ref(), inner, all);
+                return;
+            }
             StatementKind::If(arms, otherwise) => {
                 let mut made = Vec::new();
                 for (condition, body) in arms {
@@ -68,12 +72,54 @@ impl Checker<'_, '_, '_> {
         all.push(Stmt { kind, at });
     }
 
+    /// A call with EN and ENO.
+    fn enabled(
+        &mut self,
+        en: Option<&Node>,
+        eno: Option<&Path>,
+        inner: &Statement,
+        all: &mut Vec<Stmt>,
+    ) {
+        let at = inner.span;
+        let condition = en.map(|en| self.condition(en));
+        let mut done = Vec::new();
+        self.statement(inner, &mut done);
+        let target = eno.and_then(|path| self.target(path));
+        let mut tell = |truth: bool| {
+            let target = target.clone()?;
+            let at = target.at;
+            let value = self.builder.literal(Base::Bool, Value::truth(truth), at);
+            self.builder.assign(target, value, at)
+        };
+        let is_told = tell(true);
+        let otherwise = match is_told.is_some() && condition.is_some() {
+            true => tell(false),
+            false => None,
+        };
+        done.extend(is_told);
+        match condition {
+            Some(condition) => {
+                let otherwise = otherwise.into_iter().collect();
+                let kind = StmtKind::If(vec![(condition, done)], otherwise);
+                all.push(Stmt { kind, at });
+            }
+            None => all.append(&mut done),
+        }
+    }
+
     fn condition(&mut self, node: &Node) -> crate::typed::Expr {
         let expr = self.expr(node, None);
         self.builder.condition(expr)
     }
 
     fn assign(&mut self, path: &Path, node: &Node, at: Span) -> Option<Stmt> {
+        if let Some((parts, bit)) = path.bit() {
+            let number = self.part_of(path, parts);
+            let value = self.expr(node, None);
+            return self
+                .builder
+                .assign_bit(number?, &bit.text, value, bit.span, at);
+        }
         let target = self.target(path);
         let Some(target) = target else {
             self.expr(node, None);
@@ -127,7 +173,7 @@ impl Checker<'_, '_, '_> {
                         return;
                     }
                 }
-                None if self.builder.is_hidden(&name.text) => return,
+                None if self.builder.is_hidden(&name.text) || self.is_foreign(name) => return,
                 None if self.builder.is_function(&name.text) => {
                     let written = self.builder.written(at);
                     self.builder.tell(Code::StNoEffect, at, [written.into()]);

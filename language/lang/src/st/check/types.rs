@@ -5,7 +5,6 @@ use super::{Checker, MOST_WITHIN, State};
 use crate::diagnostics::{Code, Word};
 use crate::typed::build::both;
 use crate::typed::{Base, Expr, ExprKind, Generic, Kind, Standard, Type, TypeId};
-use std::collections::HashSet;
 
 impl Checker<'_, '_, '_> {
     /// The type of this name; told if there is none.
@@ -25,12 +24,7 @@ impl Checker<'_, '_, '_> {
         if let Some(&at) = self.blocks.get(&key) {
             return self.block_type(at, name);
         }
-        let standard = match key.as_str() {
-            "TON_TIME" => Some(Standard::Ton),
-            "TOF_TIME" => Some(Standard::Tof),
-            "TP_TIME" => Some(Standard::Tp),
-            key => Standard::named(key),
-        };
+        let standard = Standard::named(&key).or_else(|| Standard::overloaded(&key));
         if let Some(block) = standard {
             let cells = block.cells();
             return Some(
@@ -39,6 +33,9 @@ impl Checker<'_, '_, '_> {
                     .types
                     .add_kind(Kind::Standard(block), cells),
             );
+        }
+        if self.is_foreign(name) {
+            return None;
         }
         let generics = [
             Generic::Elementary,
@@ -114,10 +111,10 @@ impl Checker<'_, '_, '_> {
         self.type_states[at] = State::Begun;
         let ty = self.make_type(at, used);
         self.type_states[at] = State::Done(ty);
-        if let (None, SpecKind::Enum(names)) = (ty, &self.file.types[at].spec.kind) {
+        if let (None, SpecKind::Enum(values)) = (ty, &self.file.types[at].spec.kind) {
             let before = self.builder.inside();
             self.builder.leave();
-            for name in names {
+            for (name, _) in values {
                 self.builder.hide(&name.text);
             }
             self.builder.go(before);
@@ -171,19 +168,7 @@ impl Checker<'_, '_, '_> {
                         .add_kind(Kind::Text { base, most }, 1),
                 )
             }
-            SpecKind::Enum(names) => {
-                let mut seen = HashSet::new();
-                for name in names {
-                    if !seen.insert(self.builder.key(&name.text)) {
-                        let text = name.text.as_str().into();
-                        self.builder.tell(Code::StNameTwice, name.span, [text]);
-                        return None;
-                    }
-                }
-                let names: Vec<String> = names.iter().map(|name| name.text.clone()).collect();
-                let kind = Kind::Enum(std::sync::Arc::new(names));
-                Some(self.builder.tree.types.add_kind(kind, 1))
-            }
+            SpecKind::Enum(values) => self.enumeration(values),
             SpecKind::Range(name, bounds) => self.range(name, bounds),
             SpecKind::Array(bounds, of) => self.array(spec, bounds, of),
             SpecKind::Struct(decls) => self.structure(spec, decls),

@@ -28,6 +28,10 @@ impl Checker<'_, '_, '_> {
             let key = self.builder.key(&ty.name.text);
             self.types.entry(key).or_insert(at);
         }
+        for unit in &file.foreign {
+            let key = self.builder.key(&unit.text);
+            self.foreign.entry(key).or_insert(false);
+        }
         for (at, unit) in file.units.iter().enumerate() {
             let number = self
                 .builder
@@ -161,6 +165,29 @@ impl Checker<'_, '_, '_> {
             .is_none()
         {
             self.builder.hide(&name.text);
+        }
+    }
+
+    /// Whether this is a unit with code for another machine; then that is told.
+    pub(super) fn is_foreign(&mut self, name: &Name) -> bool {
+        let key = self.builder.key(&name.text);
+        let Some(used) = self.foreign.get_mut(&key) else {
+            return false;
+        };
+        *used = true;
+        let words = [name.text.as_str().into()];
+        self.builder.tell(Code::StForeignCode, name.span, words);
+        true
+    }
+
+    /// Tells which units with code for another machine nothing uses.
+    pub(super) fn unused_foreign(&mut self) {
+        for unit in &self.file.foreign {
+            let key = self.builder.key(&unit.text);
+            if self.foreign.get(&key) == Some(&false) {
+                let words = [unit.text.as_str().into()];
+                self.builder.tell(Code::StForeignUnit, unit.span, words);
+            }
         }
     }
 

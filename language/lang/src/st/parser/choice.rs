@@ -202,6 +202,10 @@ impl Parser<'_, '_> {
             Kind::Number | Kind::Minus | Kind::Plus | Kind::Text => true,
             Kind::Typed => follows(1),
             Kind::Word if matches!(self.keyword(), Keyword::True | Keyword::False) => follows(1),
+            // `State.Idle:`
+            Kind::Word if self.ahead(1).kind == Kind::Dot => {
+                self.ahead(2).kind == Kind::Word && follows(3)
+            }
             Kind::Word => self.keyword() == Keyword::None && follows(1),
             _ => false,
         }

@@ -1,6 +1,6 @@
 //! Declarations: sections of variables.
 
-use super::super::ast::{Decl, Section, Vars};
+use super::super::ast::{Decl, Name, Section, Vars};
 use super::super::token::Kind;
 use super::super::words::Keyword;
 use super::{Parsed, Parser, Told};
@@ -137,6 +137,24 @@ impl Parser<'_, '_> {
         }
     }
 
+    /// `AT %IX1`, which stands before the colon by the norm, and behind the type in texts of other tools.
+    fn located(&mut self) -> Parsed<Option<Name>> {
+        if !self.accept_keyword(Keyword::At) {
+            return Ok(None);
+        }
+        let token = self.token();
+        if token.kind != Kind::Address {
+            let what = ("an address like %IX1", "um endereço como %IX1");
+            let help = (
+                "after AT, write a point of the board: %IX1, %QX1, %MX1",
+                "depois de AT, escreva um ponto da placa: %IX1, %QX1, %MX1",
+            );
+            return Err(self.missing(what, help));
+        }
+        self.next();
+        Ok(Some(self.named(token.span)))
+    }
+
     fn declaration(&mut self) -> Parsed<Decl> {
         // `INT x;`
         let (first, second) = (self.token(), self.ahead(1));
@@ -158,26 +176,16 @@ impl Parser<'_, '_> {
         while self.accept(Kind::Comma) {
             names.push(self.name(NAME, DECLARATION)?);
         }
-        let mut at = None;
-        if self.accept_keyword(Keyword::At) {
-            let token = self.token();
-            if token.kind != Kind::Address {
-                let what = ("an address like %IX1", "um endereço como %IX1");
-                let help = (
-                    "after AT, write a point of the board: %IX1, %QX1, %MX1",
-                    "depois de AT, escreva um ponto da placa: %IX1, %QX1, %MX1",
-                );
-                return Err(self.missing(what, help));
-            }
-            self.next();
-            at = Some(self.named(token.span));
-        }
+        let mut at = self.located()?;
         if self.is(Kind::Assign) || self.is(Kind::Equal) {
             let what = ("a type", "um tipo");
             return Err(self.missing(what, DECLARATION));
         }
         self.expect(Kind::Colon, ":", DECLARATION)?;
         let spec = self.spec()?;
+        if at.is_none() {
+            at = self.located()?;
+        }
         let edge = self.slice(self.token().span).to_uppercase();
         if matches!(edge.as_str(), "R_EDGE" | "F_EDGE") {
             let span = self.token().span;

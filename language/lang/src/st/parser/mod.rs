@@ -3,6 +3,7 @@
 //! - `unit`: programs, functions, blocks, and what stands around them
 //! - `declare`, `types`, `initial`: variables, their types, and what they begin with
 //! - `statement`, `compound` (loops), `choice`: statements; `recover`: what is done after one that is wrong
+//! - `enable`: EN and ENO of a call
 //! - `list`: the lines of Instruction List
 //! - `expression`, `operand`, `path`: the rest
 //!
@@ -11,6 +12,8 @@
 mod choice;
 mod compound;
 mod declare;
+mod dialect;
+mod enable;
 mod expression;
 mod initial;
 mod list;
@@ -65,6 +68,8 @@ struct Parser<'t, 'f> {
     list: bool,
     /// A variable is called N, as the modifier of Instruction List is.
     declares_n: bool,
+    /// A unit declares a parameter EN or ENO of its own.
+    declares_en: bool,
     /// How many parentheses and statements are open.
     open: u32,
     /// What ends the statements that are open.
@@ -108,14 +113,19 @@ impl<'t, 'f> Parser<'t, 'f> {
             _ => Keyword::None,
         };
         let keywords = tokens.iter().map(keyword).collect();
-        let declares_n = tokens.windows(2).any(|two| {
-            let name = text.get(two[0].span.range()).unwrap_or_default();
-            let next = text.get(two[1].span.range()).unwrap_or_default();
-            let declares = matches!(two[1].kind, Kind::Colon | Kind::Comma);
-            name.eq_ignore_ascii_case("N") && (declares || next.eq_ignore_ascii_case("AT"))
-        });
-        // A comment that swallows the rest is the one mistake.
-        let dead = found.place_of(Code::StCommentOpen).is_some();
+        let declares = |what: &str| {
+            tokens.windows(2).any(|two| {
+                let name = text.get(two[0].span.range()).unwrap_or_default();
+                let next = text.get(two[1].span.range()).unwrap_or_default();
+                let declares = matches!(two[1].kind, Kind::Colon | Kind::Comma);
+                name.eq_ignore_ascii_case(what) && (declares || next.eq_ignore_ascii_case("AT"))
+            })
+        };
+        let declares_n = declares("N");
+        let declares_en = declares("EN") || declares("ENO");
+        // A comment, or code for another machine, that swallows the rest is the one mistake.
+        let open = [Code::StCommentOpen, Code::StNotClosed];
+        let dead = open.into_iter().any(|code| found.place_of(code).is_some());
         Parser {
             text,
             tokens,
@@ -123,6 +133,7 @@ impl<'t, 'f> Parser<'t, 'f> {
             at: 0,
             list: dialect == Dialect::Il,
             declares_n,
+            declares_en,
             open: 0,
             closers: Vec::new(),
             dead,

@@ -1,15 +1,15 @@
 //! Names with their members and subscripts, and what stands in the parentheses of a call.
 
-use super::super::ast::{Arg, Node, NodeKind, Part, Path};
-use super::super::token::Kind;
+use super::super::ast::{Arg, Name, Node, NodeKind, Part, Path};
+use super::super::token::{Kind, Token};
 use super::super::words::Keyword;
-use super::{MOST_HIGH, Parsed, Parser, Told};
-use crate::diagnostics::{Code, Span, Word};
+use super::{MOST_HIGH, Parsed, Parser};
+use crate::diagnostics::{Span, Word};
 
 impl Path {
     pub(super) fn height(&self) -> u32 {
         let nodes = self.parts.iter().map(|part| match part {
-            Part::Member(_) => 1,
+            Part::Member(_) | Part::Bit(_) => 1,
             Part::Subscripts(nodes, _) => nodes.iter().map(|node| node.height).max().unwrap_or(0),
         });
         nodes.max().unwrap_or(0)
@@ -51,8 +51,11 @@ impl Parser<'_, '_> {
                     path.span = path.name.span;
                     continue;
                 }
-                if token.kind == Kind::Number {
-                    return Err(self.bit_of(token.span));
+                if matches!(token.kind, Kind::Number | Kind::Address) {
+                    let bit = self.bit_of(token)?;
+                    path.span = path.span.to(bit.span);
+                    path.parts.push(Part::Bit(bit));
+                    return Ok(path);
                 }
                 if token.kind != Kind::Word {
                     let what = ("the name of a member", "o nome de um membro");
@@ -84,15 +87,19 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// `x.0`, a bit of a number by its place.
-    fn bit_of(&mut self, place: Span) -> Told {
-        let bit = format!(".{}", self.short(place));
-        let help = (
-            "to read a bit write (SHR(x, 3) AND 16#1) <> 16#0; to set it x OR 16#8; to clear it x AND 16#F7",
-            "para ler um bit escreva (SHR(x, 3) AND 16#1) <> 16#0; para ligá-lo x OR 16#8; para desligá-lo x AND 16#F7",
-        );
-        self.tell(Code::StUnsupported, place, [bit.into(), help.into()]);
-        Told
+    /// `x.0` and `x.%X0`, a bit of a number by its place.
+    fn bit_of(&mut self, token: Token) -> Parsed<Name> {
+        let mut place = token.span;
+        let written = self.slice(place).to_uppercase();
+        let digits = written.strip_prefix("%X").unwrap_or(&written);
+        if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+            let what = ("the place of a bit", "a posição de um bit");
+            let help = ("write it like x.3", "escreva como x.3");
+            return Err(self.missing(what, help));
+        }
+        place.start = place.end - digits.len() as u32;
+        self.next();
+        Ok(self.named(place))
     }
 
     fn subscripts(&mut self) -> Parsed<Vec<Node>> {

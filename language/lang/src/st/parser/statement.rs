@@ -1,8 +1,9 @@
 //! Statements: assignments, calls, and what ends each.
 
-use super::super::ast::{Path, Statement, StatementKind};
+use super::super::ast::{NodeKind, Path, Statement, StatementKind};
 use super::super::token::Kind;
 use super::super::words::{Keyword, meant};
+use super::enable::enabled;
 use super::{Parsed, Parser, Told};
 use crate::diagnostics::{Code, Span, Word};
 
@@ -87,6 +88,7 @@ impl Parser<'_, '_> {
                 return Err(Told);
             }
             keyword if keyword.is_section() => return self.late_section(start),
+            Keyword::None if self.other_dialect() => return Err(Told),
             Keyword::None => return self.simple_statement(start),
             _ => {
                 let what = ("a statement", "um comando");
@@ -177,18 +179,23 @@ impl Parser<'_, '_> {
                 self.closers.push(Keyword::None);
                 let value = self.expression();
                 self.closers.pop();
-                let value = value?;
+                let mut value = value?;
                 let span = start.to(value.span);
                 self.end_of_statement(true)?;
+                let enable = match &mut value.kind {
+                    NodeKind::Call(_, arguments) => self.enable(arguments),
+                    _ => None,
+                };
                 let kind = StatementKind::Assign(path, value);
-                Ok(Some(Statement { kind, span }))
+                Ok(Some(enabled(enable, Statement { kind, span })))
             }
             Kind::Open => {
-                let (arguments, close) = self.arguments()?;
+                let (mut arguments, close) = self.arguments()?;
                 let span = start.to(close);
                 self.end_of_statement(false)?;
+                let enable = self.enable(&mut arguments);
                 let kind = StatementKind::Call(path, arguments);
-                Ok(Some(Statement { kind, span }))
+                Ok(Some(enabled(enable, Statement { kind, span })))
             }
             Kind::Equal => {
                 let span = self.token().span;
@@ -245,6 +252,11 @@ impl Parser<'_, '_> {
 
     fn no_statement(&mut self) -> Told {
         let span = self.token().span;
+        if self.is(Kind::ForeignCode) {
+            self.tell(Code::StForeignCode, span, ["PROGRAM".into()]);
+            self.next();
+            return Told;
+        }
         if self.is(Kind::Foreign) {
             let sign = self.short(span);
             let meant: Word = match sign.as_str() {

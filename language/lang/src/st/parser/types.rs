@@ -96,46 +96,49 @@ impl Parser<'_, '_> {
         Ok((low, high))
     }
 
-    fn enumeration(&mut self) -> Parsed<Vec<Name>> {
+    fn enumeration(&mut self) -> Parsed<Vec<(Name, Option<Node>)>> {
         self.next();
         let help = (
             "an enumeration is names in ( ): (Red, Green)",
             "uma enumeração são nomes entre ( ): (Verde, Vermelho)",
         );
-        let mut names = Vec::new();
+        let mut values = Vec::new();
         loop {
             // `Color#Red` is Red.
             let token = self.token();
-            if token.kind == Kind::Typed {
+            let name = if token.kind == Kind::Typed {
                 self.next();
                 let start =
                     token.span.start + self.slice(token.span).find('#').unwrap_or(0) as u32 + 1;
-                names.push(self.named(Span {
+                self.named(Span {
                     start,
                     ..token.span
-                }));
+                })
             } else {
-                names.push(self.name(NAME, help)?);
+                self.name(NAME, help)?
+            };
+            if self.is(Kind::Equal) {
+                let span = self.token().span;
+                let written = name.text.clone();
+                self.tell(Code::StEqualsForAssign, span, [written.into()]);
+                return Err(Told);
             }
+            let number = match self.accept(Kind::Assign) {
+                true => Some(self.expression()?),
+                false => None,
+            };
+            values.push((name, number));
             if !self.accept(Kind::Comma) {
                 break;
             }
         }
-        if self.is(Kind::Assign) || self.is(Kind::Equal) {
-            let span = self.token().span;
-            let help = (
-                "values of an enumeration count from 0 by themselves: (Red, Green)",
-                "os valores de uma enumeração contam sozinhos a partir de 0: (Verde, Vermelho)",
-            );
-            let what = (
-                "a number for a value of an enumeration",
-                "um número para um valor de enumeração",
-            );
-            self.tell(Code::StUnsupported, span, [what.into(), help.into()]);
-            return Err(Told);
-        }
         self.expect(Kind::Close, ")", help)?;
-        Ok(names)
+        // `(Red, Green) INT`: its values are numbers of INT in any case.
+        let word = self.slice(self.token().span).to_uppercase();
+        if Base::named(&word).is_some_and(|base| base.is_int()) {
+            self.next();
+        }
+        Ok(values)
     }
 
     fn array(&mut self) -> Parsed<SpecKind> {

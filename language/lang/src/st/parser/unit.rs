@@ -70,6 +70,7 @@ impl Parser<'_, '_> {
                     );
                     self.next();
                 }
+                _ if self.other_dialect() => return file,
                 _ if self.headless_unit(&mut file) => {}
                 _ => self.bare(&mut file),
             }
@@ -113,7 +114,31 @@ impl Parser<'_, '_> {
             _ => Keyword::EndFunctionBlock,
         };
         self.next();
-        self.unit_behind(kind, start, end, file);
+        match self.foreign_code(end) {
+            Some(code) => self.foreign_unit(kind, code, end, file),
+            None => self.unit_behind(kind, start, end, file),
+        }
+    }
+
+    /// Code for another machine before the end of this unit.
+    fn foreign_code(&self, end: Keyword) -> Option<Span> {
+        let rest = self.tokens.iter().zip(&self.keywords).skip(self.at);
+        let mut unit = rest.take_while(|(_, keyword)| **keyword != end);
+        let found = unit.find(|(token, _)| token.kind == Kind::ForeignCode);
+        found.map(|(token, _)| token.span)
+    }
+
+    /// Passes over a unit with code for another machine; only a program cannot do without.
+    fn foreign_unit(&mut self, kind: UnitKind, code: Span, end: Keyword, file: &mut File) {
+        let name = self.named(self.token().span);
+        if kind == UnitKind::Program {
+            self.tell(Code::StForeignCode, code, [name.text.as_str().into()]);
+            self.wrong_declarations = true;
+        }
+        file.foreign.push(name);
+        while !self.accept_keyword(end) && !self.is(Kind::End) {
+            self.next();
+        }
     }
 
     /// A unit whose first word is missing or misspelt, `Scale : REAL VAR_INPUT …`; false if this is none.
@@ -203,6 +228,9 @@ impl Parser<'_, '_> {
     fn head(&mut self, kind: UnitKind) -> Parsed<(Name, Option<TypeSpec>)> {
         let help = ("give it a name", "dê um nome a isso");
         let name = self.name(("a name", "um nome"), help)?;
+        if self.other_dialect() {
+            return Err(Told);
+        }
         if self.is(Kind::Word) && self.keyword() == Keyword::None && !self.on_new_line() {
             let help = (
                 "a unit has one name, of one word",

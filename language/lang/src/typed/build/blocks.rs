@@ -1,6 +1,6 @@
 //! Calls of instances: blocks of the text and of the norm.
 //!
-//! Owns that an instance of a timer or a counter has one call, not in a loop; an edge may have several.
+//! Owns that an instance of a timer or a counter has one call, not in a loop; others may have several, anywhere.
 
 use super::arguments::{Argument, Params};
 use super::builder::{BlockCall, Builder, Instance};
@@ -89,19 +89,22 @@ impl Builder<'_, '_> {
         &mut self,
         block: Standard,
         target: Target,
-        arguments: Vec<Argument>,
+        mut arguments: Vec<Argument>,
         at: Span,
     ) -> Vec<Stmt> {
+        for (name, _) in arguments.iter_mut().filter_map(|one| one.name.as_mut()) {
+            if let Some((_, part)) = block.part(&name.to_uppercase()) {
+                part.0.clone_into(name);
+            }
+        }
         let written = self.written(target.at);
-        let timed = !matches!(block, Standard::Sr | Standard::Rs);
-        if timed && self.loops > 0 {
+        let once = block.has_one_call();
+        if once && self.loops > 0 {
             let words = [written.clone().into(), block.name().into()];
             self.tell(Code::StCalledInLoop, target.at, words);
         }
         let key = self.instance(&target);
-        let once = block.has_one_call();
-        if timed && let Some(draft) = self.here() {
-            draft.timed = true;
+        if let Some(draft) = self.here() {
             draft.once |= once;
         }
         if once && self.called.insert(key, at).is_some() {

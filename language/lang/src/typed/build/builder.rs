@@ -26,8 +26,6 @@ pub(crate) struct Draft {
     pub closed: bool,
     /// Of a function: its result is stored somewhere.
     pub gives: bool,
-    /// It calls a timer, a counter or an edge.
-    pub timed: bool,
     /// Something in it has one call in a program.
     pub once: bool,
     /// A declaration in it is wrong, so that not all of its names are known.
@@ -78,6 +76,8 @@ pub(crate) struct Builder<'t, 'f> {
     /// The variables that count open loops.
     pub(super) counters: Vec<(Root, u32)>,
     pub(super) called: HashMap<Instance, Span>,
+    /// Inputs that their own units change, by the unit and the offset, which has been told.
+    pub(super) inputs_written: HashSet<(Option<usize>, u32)>,
     /// Calls of blocks of the text, of which some have timers within.
     pub(super) calls: Vec<BlockCall>,
     pub(super) writes: bool,
@@ -114,6 +114,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             loops: 0,
             counters: Vec::new(),
             called: HashMap::new(),
+            inputs_written: HashSet::new(),
             calls: Vec::new(),
             writes: false,
             lenient: false,
@@ -203,7 +204,6 @@ impl<'t, 'f> Builder<'t, 'f> {
             result: None,
             closed: kind != UnitKind::Block,
             gives: false,
-            timed: false,
             once: false,
             incomplete: false,
             block,

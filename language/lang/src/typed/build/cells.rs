@@ -34,7 +34,7 @@ impl Builder<'_, '_> {
             Kind::Base(base) | Kind::Text { base, .. } => {
                 cells.push(one(*base, Value::zero(*base)))
             }
-            Kind::Enum(_) => cells.push(one(Base::Int, Value::Int(0))),
+            Kind::Enum(values) => cells.push(one(Base::Int, Value::Int(values.first().1.into()))),
             // Without a word about it, a subrange begins with its least value (IEC 61131-3, 2.3.3.2).
             Kind::Range { base, low, .. } => cells.push(one(*base, Value::Int(*low))),
             Kind::Array { of, .. } => {

@@ -32,7 +32,7 @@ impl Builder<'_, '_> {
         (!self.found.has_errors()).then_some(self.tree)
     }
 
-    /// An instance that has timers or counters within has one call, not in a loop, as these have; edges are in no loop.
+    /// An instance that has timers or counters within has one call, not in a loop, as these have.
     fn refuse_second_calls(&mut self) {
         if self.found.has_errors() {
             return;
@@ -42,12 +42,11 @@ impl Builder<'_, '_> {
             let mut more = false;
             for call in &self.calls {
                 let within = self.drafts.get(call.unit as usize);
-                let (timed, once) = within.map_or((false, false), |of| (of.timed, of.once));
+                let once = within.is_some_and(|of| of.once);
                 let Some(caller) = call.from.and_then(|unit| self.drafts.get_mut(unit)) else {
                     continue;
                 };
-                more |= timed && !caller.timed || once && !caller.once;
-                caller.timed |= timed;
+                more |= once && !caller.once;
                 caller.once |= once;
             }
             if !more {
@@ -57,7 +56,7 @@ impl Builder<'_, '_> {
         let mut seen = HashSet::new();
         for call in std::mem::take(&mut self.calls) {
             let draft = self.drafts.get(call.unit as usize);
-            let Some(draft) = draft.filter(|draft| draft.timed) else {
+            let Some(draft) = draft.filter(|draft| draft.once) else {
                 continue;
             };
             let words = || {
@@ -69,7 +68,7 @@ impl Builder<'_, '_> {
             let (first, words) = (seen.insert(call.instance), words());
             if call.in_loop {
                 self.found.tell(Code::StCalledInLoop, call.at, words);
-            } else if !first && draft.once {
+            } else if !first {
                 self.found.tell(Code::StCalledTwice, call.at, words);
             }
         }

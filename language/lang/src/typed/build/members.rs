@@ -83,6 +83,7 @@ impl Builder<'_, '_> {
             locked: of.locked.or(locked),
             value: None,
             result: of.result,
+            input: of.input,
             at: of.at.to(at),
         })
     }
@@ -189,6 +190,7 @@ impl Builder<'_, '_> {
             locked: of.locked,
             value: None,
             result: of.result,
+            input: of.input,
             at: of.at.to(at),
         })
     }

@@ -38,6 +38,7 @@
 //! ```
 
 mod arguments;
+mod bits;
 mod blocks;
 mod builder;
 mod calls;

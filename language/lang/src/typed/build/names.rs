@@ -74,11 +74,11 @@ impl<'t, 'f> Builder<'t, 'f> {
 
     /// Makes the values of an enumeration known.
     pub fn name_values(&mut self, ty: TypeId) {
-        let Kind::Enum(names) = self.tree.types.kind(ty).clone() else {
+        let Kind::Enum(values) = self.tree.types.kind(ty).clone() else {
             return;
         };
-        for (number, name) in (0..).zip(names.iter()) {
-            let named = Named::Constant(Value::Int(number), ty);
+        for (name, number) in values.values() {
+            let named = Named::Constant(Value::Int(number.into()), ty);
             let key = self.key(name);
             let before = self.globals.get(&key);
             let named = match before {

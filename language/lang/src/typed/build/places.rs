@@ -20,6 +20,8 @@ pub(crate) struct Target {
     pub value: Option<Value>,
     /// Whether it is the name of a unit's own result.
     pub result: bool,
+    /// Whether it is an input of the unit that names it.
+    pub input: bool,
     pub at: Span,
 }
 
@@ -119,10 +121,9 @@ impl Builder<'_, '_> {
                 .here()
                 .is_some_and(|draft| draft.result.is_some() && draft.unit.name == variable.name);
         let input = variable.section == Section::Input && is_own && kind != Some(UnitKind::Program);
-        let locked = match (variable.constant, input) {
-            (true, _) => Some(Box::new(Builder::why_not_written(Section::Var))),
-            (_, true) => Some(Box::new(Builder::why_not_written(Section::Input))),
-            _ => self.input_point(variable.root, variable.offset),
+        let locked = match variable.constant {
+            true => Some(Box::new(Builder::constant_locked())),
+            false => self.input_point(variable.root, variable.offset),
         };
         Target {
             place: variable.place(at),
@@ -130,6 +131,7 @@ impl Builder<'_, '_> {
             locked,
             value: None,
             result,
+            input,
             at,
         }
     }
@@ -143,9 +145,10 @@ impl Builder<'_, '_> {
                 at,
             },
             ty,
-            locked: Some(Box::new(Builder::why_not_written(Section::Var))),
+            locked: Some(Box::new(Builder::constant_locked())),
             value: Some(value),
             result: false,
+            input: false,
             at,
         }
     }
@@ -181,6 +184,7 @@ impl Builder<'_, '_> {
             locked: self.input_point(Root::Static, offset),
             value: None,
             result: false,
+            input: false,
             at,
         }
     }

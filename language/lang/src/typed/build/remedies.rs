@@ -5,7 +5,7 @@ use super::coerce::conversion;
 use super::words::both;
 use crate::diagnostics::{Code, Span, Word};
 use crate::typed::Generic;
-use crate::typed::{Base, Expr, ExprKind, Kind, TypeId, some_of};
+use crate::typed::{Base, Expr, ExprKind, Kind, TypeId};
 
 impl Builder<'_, '_> {
     pub(super) fn told_range(&mut self, at: Span, to: Base) {
@@ -59,9 +59,9 @@ impl Builder<'_, '_> {
         };
         let from = expr.base;
         let write = |text: String| both(format!("write {text}"), format!("escreva {text}"));
-        if let Kind::Enum(names) = self.tree.types.kind(needed) {
-            let first = names.first().cloned().unwrap_or_default();
-            let names = some_of(names);
+        if let Kind::Enum(values) = self.tree.types.kind(needed) {
+            let first = values.first().0;
+            let names = values.some();
             return both(
                 format!("its values are {names}: write {first}"),
                 format!("os valores são {names}: escreva {first}"),

@@ -26,6 +26,11 @@ impl Builder<'_, '_> {
             let written = self.written(target.at);
             self.tell(Code::StForChanged, target.at, [written.into()]);
         }
+        let (unit, offset) = (self.current, target.place.offset);
+        if target.input && self.inputs_written.insert((unit, offset)) {
+            let written = self.written(target.at);
+            self.tell(Code::StInputWritten, target.at, [written.into()]);
+        }
         if target.result
             && let Some(draft) = self.here()
         {

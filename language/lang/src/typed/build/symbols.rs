@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use crate::diagnostics::{Code, Span};
 use crate::typed::standard::Role;
-use crate::typed::{Base, Holds, Kind, Symbol, TypeId};
+use crate::typed::{Base, Enumeration, Holds, Kind, Symbol, TypeId};
 use std::cell::Cell;
 use std::sync::Arc;
 
@@ -54,7 +54,7 @@ impl Builder<'_, '_> {
         offset: u32,
         symbols: &mut Vec<Symbol>,
     ) {
-        let one = |part: &str, type_name: String, base, values: Arc<Vec<String>>, cell| {
+        let one = |part: &str, type_name: String, base, values: Arc<Enumeration>, cell| {
             let text = whole.name.len() + part.len() + type_name.len();
             whole.room.set(whole.room.get().saturating_sub(text));
             Symbol {
@@ -115,7 +115,7 @@ impl Builder<'_, '_> {
             }
             kind => {
                 let values = match kind {
-                    Kind::Enum(names) => names.clone(),
+                    Kind::Enum(values) => values.clone(),
                     _ => Arc::default(),
                 };
                 let base = self.tree.types.base(ty).unwrap_or(Base::Bool);

@@ -1,7 +1,7 @@
 //! Words that messages put together, in both languages.
 
 use super::builder::Builder;
-use super::named::{Named, Section};
+use super::named::Named;
 use crate::diagnostics::Word;
 use crate::typed::{Kind, TypeId, UnitKind};
 
@@ -57,25 +57,15 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// Why nothing can be stored in a variable of this kind, and what to do.
-    pub(super) fn why_not_written(section: Section) -> (Word, Word) {
-        match section {
-            Section::Input => (
-                ("an input of this unit", "uma entrada desta unidade").into(),
-                (
-                    "copy it to a variable of its own: VAR x : INT; END_VAR",
-                    "copie-a para uma variável própria: VAR x : INT; END_VAR",
-                )
-                    .into(),
-            ),
-            _ => (
-                ("a constant", "uma constante").into(),
-                (
-                    "declare it with VAR, without CONSTANT",
-                    "declare-a com VAR, sem CONSTANT",
-                )
-                    .into(),
-            ),
-        }
+    /// Why nothing can be stored in a constant, and what to do.
+    pub(super) fn constant_locked() -> (Word, Word) {
+        (
+            ("a constant", "uma constante").into(),
+            (
+                "declare it with VAR, without CONSTANT",
+                "declare-a com VAR, sem CONSTANT",
+            )
+                .into(),
+        )
     }
 }

@@ -31,7 +31,7 @@ pub(super) fn run(arguments: &What, written: Written) -> anyhow::Result<Option<R
             .flat_map(|point| [point.name.clone(), point.point.to_string()]);
         let names: Vec<String> = names.collect();
         let point = &points[find(&names, name)? / 2];
-        let value = lang::given(written, point.base, &[]);
+        let value = lang::given(written, point.base, &lang::typed::Enumeration::default());
         let bits = value.and_then(|value| bits(&value));
         let set = bits.and_then(|bits| point.set(bits, &mut machine, &mut inputs));
         set.ok_or_else(|| anyhow!(messages::no_value(written, name, point.type_name())))?;

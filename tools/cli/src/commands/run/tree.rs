@@ -93,7 +93,6 @@ fn row(machine: &Machine<'_>, symbol: &Symbol, on_board: Option<&Variable>) -> R
         }
         Holding::Constant(..) => None,
     });
-    let at = usize::try_from(value.int()).ok();
     Row {
         name: symbol.name.clone(),
         type_name: match symbol.holds {
@@ -101,7 +100,7 @@ fn row(machine: &Machine<'_>, symbol: &Symbol, on_board: Option<&Variable>) -> R
             // It is of the type of what it holds.
             Holds::Either { .. } => base.name().to_owned(),
         },
-        named: at.and_then(|at| symbol.values.get(at)).cloned(),
+        named: symbol.values.name_of(value.int()).map(str::to_owned),
         place: point.map(|point| format!("{point:#}")),
         value,
         base,
