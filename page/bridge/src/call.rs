@@ -174,14 +174,6 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             boards.machine = Some(machine);
             known
         }
-        // It lets go on for so many ms with these outputs; what the board is given then.
-        "machineStep" => {
-            let outputs = machine::outputs(&mut given)?;
-            let ms = given.number("ms")?;
-            let machine = machine(boards)?;
-            machine.step(&outputs, ms);
-            json(machine.gives())
-        }
         // What has changed of its picture.
         "machineLook" => json(machine(boards)?.look()),
         // A person there changes something.
@@ -284,8 +276,8 @@ fn more(ask: &str, _: Given, _: &mut Boards) -> Result<String, No> {
             Err(No::More)
         }
         "palette" | "draw" | "edit" | "drawn" | "find" => Err(No::More),
-        "machine" | "machineStep" | "machineLook" | "machineHand" | "machineFault"
-        | "machineForced" | "machineName" | "machineReset" | "machineClose" => Err(No::More),
+        "machine" | "machineLook" | "machineHand" | "machineFault" | "machineForced"
+        | "machineName" | "machineReset" | "machineClose" => Err(No::More),
         other => Err(wrong(other).into()),
     }
 }

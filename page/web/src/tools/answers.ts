@@ -439,7 +439,6 @@ export interface Asks {
   /** Somebody forces a point of the board: a step of a search. */
   machineForced: { ask: object; answer: null };
   machineName: { ask: { part: number; fault: string }; answer: Searched | null };
-  machineStep: { ask: { levels: number; shares: readonly number[]; ms: number }; answer: { readonly inputs: readonly number[]; readonly analogue: readonly (readonly [number, number])[] } };
   machineLook: { ask: object; answer: MachineLook };
   machineHand: { ask: { part: number; value: number; to: number }; answer: null };
   machineFault: { ask: { part: number; fault: string; is: boolean }; answer: null };
