@@ -20,11 +20,22 @@ const PAGE: &str = "docs/benchmarks.md";
 /// The page with those of the compiler.
 const COMPILER_PAGE: &str = "docs/compile-benchmarks.md";
 
+/// The words after `cargo xtask bench`.
+#[derive(clap::Args)]
+pub struct Args {
+    /// Measure the machines alone
+    #[arg(long)]
+    machines: bool,
+}
+
 /// Sets up, builds the firmware, and has the simulator measure it beside its yardsticks.
 ///
 /// # Errors
 /// If a step fails. A target that is not met is no failure: the page says so.
-pub fn run() -> Result<()> {
+pub fn run(args: &Args) -> Result<()> {
+    if args.machines {
+        return machines::run();
+    }
     let toolchain = setup::for_simulator()?;
     let firmware = firmware::build(&toolchain, Model::Uno)?;
     say("bench: compiling the simulator");

@@ -22,7 +22,7 @@ enum Task {
     /// Build the firmware of the UNO and of Nanos: target/firmware/unoclp.hex and unoclp-nano.hex
     Firmware(firmware::Args),
     /// Measure the firmware on a simulated UNO, the compiler and the machines, and write their pages in docs
-    Bench,
+    Bench(bench::Args),
     /// Put a program on the image of a memory card
     Card(card::Args),
     /// Write the firmware to a board
@@ -60,7 +60,7 @@ fn main() -> ExitCode {
         Task::Soak(args) => test::soak(&args),
         Task::Fuzz(args) => fuzz::run(&args),
         Task::Firmware(args) => firmware::run(&args),
-        Task::Bench => bench::run(),
+        Task::Bench(args) => bench::run(&args),
         Task::Card(args) => card::run(&args),
         Task::Flash(args) => flash::run(&args),
         Task::Lab(args) => lab::run(&args),

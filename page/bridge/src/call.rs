@@ -12,7 +12,7 @@ use crate::words::No;
 #[cfg(feature = "full")]
 use crate::words::{self, both};
 #[cfg(feature = "full")]
-use crate::{card, edit, edit::Drawing, exercise, machine, machine::Machine, replay};
+use crate::{adapt, card, edit, edit::Drawing, exercise, machine, machine::Machine, replay};
 use serde::Serialize;
 
 /// Answers a request, in JSON. What there is to ask is in `ask`, what it takes beside that: `page/web/src/tools/answers.ts`
@@ -70,6 +70,8 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             let (form, speak) = (As::of(&mut given)?, Speak::of(&mut given)?);
             json(draw::listed(text, form, given.columns("width")?, speak)?)
         }
+        // Its text with its points on its board.
+        "adapt" => json(adapt::adapt(Text::of(&mut given)?)?),
         // It on pages of paper.
         "pages" => {
             let text = Text::of(&mut given)?;
@@ -172,14 +174,6 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             boards.machine = Some(machine);
             known
         }
-        // It lets go on for so many ms with these outputs; what the board is given then.
-        "machineStep" => {
-            let outputs = machine::outputs(&mut given)?;
-            let ms = given.number("ms")?;
-            let machine = machine(boards)?;
-            machine.step(&outputs, ms);
-            json(machine.gives())
-        }
         // What has changed of its picture.
         "machineLook" => json(machine(boards)?.look()),
         // A person there changes something.
@@ -277,11 +271,13 @@ fn drawing(boards: &mut Boards) -> Result<&mut Drawing, No> {
 #[cfg(not(feature = "full"))]
 fn more(ask: &str, _: Given, _: &mut Boards) -> Result<String, No> {
     match ask {
-        "list" | "pages" | "sheet" | "exercise" | "trial" | "trace" | "replay" | "picture"
-        | "card" | "read" | "free" | "flash" | "flashStep" | "flashLose" => Err(No::More),
+        "list" | "adapt" | "pages" | "sheet" | "exercise" | "trial" | "trace" | "replay"
+        | "picture" | "card" | "read" | "free" | "flash" | "flashStep" | "flashLose" => {
+            Err(No::More)
+        }
         "palette" | "draw" | "edit" | "drawn" | "find" => Err(No::More),
-        "machine" | "machineStep" | "machineLook" | "machineHand" | "machineFault"
-        | "machineForced" | "machineName" | "machineReset" | "machineClose" => Err(No::More),
+        "machine" | "machineLook" | "machineHand" | "machineFault" | "machineForced"
+        | "machineName" | "machineReset" | "machineClose" => Err(No::More),
         other => Err(wrong(other).into()),
     }
 }

@@ -3,12 +3,15 @@
 //! The page writes a request where [`unoclp_room`] says, calls [`unoclp_call`], and finds the answer at
 //! [`unoclp_answer`]. Everything else is [`answer`], which tests call without a browser.
 //!
+//! A machine beside a board takes a step each simulated millisecond, too often for texts: [`unoclp_step`] has numbers alone,
+//! and [`Wires`] is where they lie. Tests call [`step`].
+//!
 //! - `call`: which requests there are; `given`: what each of them gives
 //! - `facts`: the board that a program is for, and what it has
 //! - `program`: a text as a person has written it, and what there is to show of it
 //! - `start`: the program that a page begins with
 //! - `tell`: problems, with their places
-//! - `draw`: ladders and lists
+//! - `draw`: ladders and lists; `adapt`: a text with its points on this board
 //! - `edit`: a program that a person draws
 //! - `exercise`: scenarios as checks of a student's program
 //! - `card`: images of cards
@@ -23,6 +26,8 @@
 
 #![deny(unsafe_code)]
 
+#[cfg(feature = "full")]
+mod adapt;
 mod board;
 mod call;
 #[cfg(feature = "full")]
@@ -61,6 +66,8 @@ struct Desk {
     request: Vec<u8>,
     answer: Vec<u8>,
     boards: board::Boards,
+    #[cfg(feature = "full")]
+    wires: Wires,
 }
 
 /// Room for a request of so many bytes, and where it is.
@@ -92,6 +99,42 @@ pub extern "C" fn unoclp_answer() -> *const u8 {
 }
 
 pub use board::Boards;
+#[cfg(feature = "full")]
+pub use machine::Wires;
+
+/// Where the page writes, of the output with each number, what share of 255 it was high, before [`unoclp_step`].
+#[cfg(feature = "full")]
+#[allow(unsafe_code, reason = "a page finds an export by its name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn unoclp_shares() -> *mut u8 {
+    DESK.with_borrow_mut(|desk| desk.wires.shares.as_mut_ptr())
+}
+
+/// Where the page reads what A 00 and those after it are, 16 bits each, after [`unoclp_step`].
+#[cfg(feature = "full")]
+#[allow(unsafe_code, reason = "a page finds an export by its name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn unoclp_readings() -> *const u16 {
+    DESK.with_borrow(|desk| desk.wires.readings.as_ptr())
+}
+
+/// The machine goes on for so many ms: see [`step`]; -1 where none is open. A number of JavaScript holds both.
+#[cfg(feature = "full")]
+#[allow(unsafe_code, reason = "a page finds an export by its name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn unoclp_step(levels: u32, ms: u32) -> f64 {
+    DESK.with_borrow_mut(|desk| {
+        step(&mut desk.boards, levels, &mut desk.wires, ms).map_or(-1.0, f64::from)
+    })
+}
+
+/// The machine that is open goes on for so many ms, at most 250, with these outputs: bit n is output n + 1. Gives the inputs
+/// that are 1 in the same way; none where no machine is open.
+#[cfg(feature = "full")]
+pub fn step(boards: &mut Boards, levels: u32, wires: &mut Wires, ms: u32) -> Option<u32> {
+    let machine = boards.machine.as_mut()?;
+    Some(machine.pass(levels, wires, ms))
+}
 
 /// The answer to a request: `{"ok": …}`, `{"error": {"en": …, "pt": …}}`, where a field is wrong with its `field` and
 /// `offers` too, or `{"more": true}` from a module without the

@@ -2,14 +2,12 @@
 //!
 //! Owns the one that a page has. Must not know which board it is wired to: its outputs come from outside, its inputs go there.
 
-use crate::facts::numbers;
-use crate::given::Given;
 use crate::words::{self, Both, both};
 use self_cell::self_cell;
 use serde::Serialize;
-use unoclp_core::{Board, Inputs, Point};
+use unoclp_core::{Board, Image, Inputs};
 use unoclp_exercise::find::{Hidden, Search};
-use unoclp_plant::{Broken, Change, Fault, Outputs, Picture, Plant, Run, Text, picture, read};
+use unoclp_plant::{Broken, Change, Fault, Live, Outputs, Plant, Run, Text, live, picture, read};
 use unoclp_program::Lang;
 
 /// What chance begins with.
@@ -32,9 +30,7 @@ pub struct Machine {
     search: Option<Search>,
     /// What a person there can change, by part and value.
     hands: Vec<(usize, usize)>,
-    /// The analogue inputs that it sets.
-    analogue: Vec<u8>,
-    shown: Picture,
+    shown: Live,
     lang: Lang,
 }
 
@@ -77,13 +73,22 @@ pub struct Hand {
     high: i32,
 }
 
-/// What a board is given by it.
-#[derive(Debug, Serialize)]
-pub struct Gives {
-    /// The inputs that are 1.
-    inputs: Vec<u8>,
-    /// Analogue inputs, and their readings.
-    analogue: Vec<(u8, u16)>,
+/// What passes between a board and its machine besides levels: a page writes and reads it where it lies.
+#[derive(Debug)]
+pub struct Wires {
+    /// Of the output with each number, what share of 255 it was high; number 0 is none.
+    pub shares: [u8; 100],
+    /// The readings of A 00 and those after it, 0 to 1023.
+    pub readings: [u16; 100],
+}
+
+impl Default for Wires {
+    fn default() -> Wires {
+        Wires {
+            shares: [0; 100],
+            readings: [0; 100],
+        }
+    }
 }
 
 /// A change of a picture: the element, its attribute or null for its text, and what that is now.
@@ -134,7 +139,6 @@ impl Machine {
     ) -> Result<Machine, Both> {
         let plant = plant(name, text, board)?;
         let hands = hands(&plant);
-        let [_, analogue, _] = plant.uses();
         let search = match hidden {
             Some(hidden) => {
                 let told = || both(|lang| words::cannot_fail(lang, name));
@@ -148,8 +152,7 @@ impl Machine {
         }
         Ok(Machine {
             hands: hands.iter().map(|hand| (hand.part, hand.value)).collect(),
-            analogue,
-            shown: picture(moving.borrow_dependent(), lang),
+            shown: live(moving.borrow_dependent(), lang),
             lang,
             moving,
             search,
@@ -163,8 +166,8 @@ impl Machine {
     /// What a page gets to know of it; it is drawn in this language from then on.
     pub fn known(&mut self, lang: Lang) -> Known {
         self.lang = lang;
-        self.shown = picture(self.run(), lang);
-        let svg = self.shown.svg();
+        self.shown = live(self.run(), lang);
+        let svg = picture(self.run(), lang).svg();
         let plant = self.run().plant();
         let nevers = plant.nevers.iter().map(|never| &never.text);
         let rules = nevers.chain(plant.goals.iter().map(|goal| &goal.text));
@@ -202,20 +205,25 @@ impl Machine {
         self.run().inputs()
     }
 
-    /// The same, as a board is told.
-    pub fn gives(&self) -> Gives {
+    /// The next milliseconds as a board lives them: `levels` has a bit for each output, and the answer one for each input
+    /// that is 1.
+    pub fn pass(&mut self, levels: u32, wires: &mut Wires, ms: u32) -> u32 {
+        let outputs = Outputs {
+            points: Image(levels.into()),
+            pwm: wires.shares,
+        };
+        self.step(&outputs, ms);
         let inputs = self.inputs();
-        let reading = |number: &u8| Some((*number, *inputs.analogue.get(usize::from(*number))?));
-        Gives {
-            inputs: numbers(inputs.points.0),
-            analogue: self.analogue.iter().filter_map(reading).collect(),
+        for (place, reading) in wires.readings.iter_mut().zip(inputs.analogue) {
+            *place = reading;
         }
+        inputs.points.0 as u32
     }
 
     /// What has changed since the last look.
     pub fn look(&mut self) -> Look {
-        let now = picture(self.run(), self.lang);
-        let changes = now.changes(&self.shown);
+        let now = live(self.run(), self.lang);
+        let changes = now.changes(&self.shown, self.run().plant());
         self.shown = now;
         let run = self.run();
         Look {
@@ -346,22 +354,4 @@ fn hands(plant: &Plant) -> Vec<Hand> {
         }
     }
     hands
-}
-
-/// Outputs as a request gives them: `levels`, a bit for each, and `shares`, of 255 for each with PWM.
-///
-/// # Errors
-/// Where they are something else.
-pub fn outputs(given: &mut Given) -> Result<Outputs, Both> {
-    let mut outputs = Outputs::default();
-    let levels: u32 = given.number("levels")?;
-    for number in 1..=32 {
-        if let Some(point) = Point::new(number, 32) {
-            outputs.points.set(point, levels >> (number - 1) & 1 != 0);
-        }
-    }
-    for (place, share) in outputs.pwm.iter_mut().skip(1).zip(given.bytes("shares")?) {
-        *place = share;
-    }
-    Ok(outputs)
 }

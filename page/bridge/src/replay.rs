@@ -13,7 +13,7 @@ use unoclp_core::Millis;
 use unoclp_exercise::diagram::Moment;
 use unoclp_exercise::machine::between;
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_plant::picture;
+use unoclp_plant::{live, picture};
 use unoclp_program::Lang;
 
 /// It is shown from so long before, ms, and goes on for so long.
@@ -69,10 +69,13 @@ pub fn replay(
         if !(run.now() - from).is_multiple_of(FRAME) {
             return;
         }
-        let now = picture(run, lang);
+        let now = live(run, lang);
         match &last {
-            None => svg = now.svg(),
-            Some(before) => frames.push(now.changes(before).into_iter().map(shown).collect()),
+            None => svg = picture(run, lang).svg(),
+            Some(before) => {
+                let changes = now.changes(before, run.plant());
+                frames.push(changes.into_iter().map(shown).collect());
+            }
         }
         last = Some(now);
     });

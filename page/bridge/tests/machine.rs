@@ -5,7 +5,7 @@
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
-use unoclp_bridge::{Boards, answer};
+use unoclp_bridge::{Boards, Wires, answer, step};
 
 fn told(boards: &mut Boards, request: Value) -> Value {
     serde_json::from_str(&answer(request.to_string().as_bytes(), boards)).unwrap()
@@ -33,13 +33,13 @@ fn open(boards: &mut Boards, name: &str) -> Value {
     )
 }
 
-/// Each that is shipped is drawn, and each of its symbols that a hand moves is found by its name.
 /// What a person can move of a machine, by its name.
 fn hand<'k>(known: &'k Value, name: &str) -> &'k Value {
     let mut hands = known["hands"].as_array().unwrap().iter();
     hands.find(|hand| hand["name"] == name).unwrap()
 }
 
+/// Each that is shipped is drawn, and each of its symbols that a hand moves is found by its name.
 #[test]
 fn each_machine_is_shown() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/plants");
@@ -58,10 +58,11 @@ fn each_machine_is_shown() {
         }
         assert!(!known["rules"].as_array().unwrap().is_empty(), "{name}");
         assert!(!known["uses"][2].as_array().unwrap().is_empty(), "{name}");
-        ok(
-            &mut boards,
-            json!({ "ask": "machineStep", "levels": 15, "shares": [255, 255, 255, 255], "ms": 200 }),
-        );
+        let mut wires = Wires {
+            shares: [255; 100],
+            ..Wires::default()
+        };
+        step(&mut boards, 15, &mut wires, 200).unwrap();
         let look = ok(&mut boards, json!({ "ask": "machineLook" }));
         assert_eq!(look["at"], 200, "{name}");
         count += 1;
@@ -74,23 +75,16 @@ fn a_hand_gives_an_input_and_outputs_move_it() {
     let mut boards = Boards::default();
     let known = open(&mut boards, "batch.toml");
     let start = hand(&known, "start");
-    let step = |levels: u32, ms: u32| json!({ "ask": "machineStep", "levels": levels, "shares": [], "ms": ms });
-    let before = ok(&mut boards, step(0, 1));
-    assert!(
-        !before["inputs"].as_array().unwrap().contains(&json!(1)),
-        "{before}"
-    );
+    let mut wires = Wires::default();
+    let mut step = |boards: &mut Boards, levels, ms| step(boards, levels, &mut wires, ms).unwrap();
+    assert_eq!(step(&mut boards, 0, 1) & 1, 0);
     let press = |to: i32| json!({ "ask": "machineHand", "part": start["part"], "value": start["value"], "to": to });
     ok(&mut boards, press(1));
-    let pressed = ok(&mut boards, step(1, 1));
-    assert!(
-        pressed["inputs"].as_array().unwrap().contains(&json!(1)),
-        "{pressed}"
-    );
+    assert_eq!(step(&mut boards, 1, 1) & 1, 1);
     ok(&mut boards, press(0));
     // The inlet stays open, and nobody closes it.
     for _ in 0..160 {
-        ok(&mut boards, step(1, 250));
+        step(&mut boards, 1, 250);
     }
     let look = ok(&mut boards, json!({ "ask": "machineLook" }));
     assert_eq!(look["broken"][0][0], 0, "it overflows: {look}");
@@ -107,12 +101,31 @@ fn a_hand_gives_an_input_and_outputs_move_it() {
     assert_eq!((&look["at"], &look["broken"]), (&json!(0), &json!([])));
     // The script of the file moves nothing here: whoever is there does.
     for _ in 0..8 {
-        let still = ok(&mut boards, step(0, 250));
-        assert!(
-            !still["inputs"].as_array().unwrap().contains(&json!(1)),
-            "{still}"
-        );
+        assert_eq!(step(&mut boards, 0, 250) & 1, 0);
     }
+}
+
+/// What passes besides levels: the share of an output that is dimmed, and a reading; without a machine, nothing.
+#[test]
+fn shares_drive_a_machine_and_readings_come_back() {
+    let mut boards = Boards::default();
+    let mut wires = Wires::default();
+    assert_eq!(step(&mut boards, 15, &mut wires, 250), None);
+    let known = open(&mut boards, "oven.toml");
+    let sensed = known["uses"][1][0].as_u64().unwrap() as usize;
+    let mut warmed = |share: u8| {
+        ok(&mut boards, json!({ "ask": "machineReset" }));
+        wires.shares = [share; 100];
+        for _ in 0..400 {
+            step(&mut boards, 0, &mut wires, 250);
+        }
+        wires.readings[sensed]
+    };
+    let [cold, warm, hot] = [0, 120, 255].map(&mut warmed);
+    assert!(
+        cold < warm && warm < hot && hot < 1024,
+        "{cold} {warm} {hot}"
+    );
 }
 
 #[test]
@@ -214,10 +227,7 @@ fn a_hidden_fault_is_looked_for() {
     // Once the contactor has pulled in, it stays so without its output.
     let drop_out = |boards: &mut Boards| {
         for levels in [1, 0] {
-            ok(
-                boards,
-                json!({ "ask": "machineStep", "levels": levels, "shares": [], "ms": 250 }),
-            );
+            step(boards, levels, &mut Wires::default(), 250);
         }
         ok(boards, json!({ "ask": "machineLook" }))["changes"].to_string()
     };

@@ -3,7 +3,7 @@
 #![cfg(feature = "full")]
 
 use serde_json::{Value, json};
-use unoclp_bridge::{Boards, answer};
+use unoclp_bridge::{Boards, Wires, answer, step};
 use unoclp_testing::{Random, rounds};
 
 /// An answer is JSON, and says one of three things.
@@ -28,6 +28,7 @@ fn requests() -> Vec<Value> {
         with(json!({ "ask": "ladder", "width": 64, "speak": "pt" })),
         with(json!({ "ask": "list", "as": "svg", "width": 64, "speak": "en" })),
         with(json!({ "ask": "list", "as": "xml", "width": 64, "speak": "pt" })),
+        with(json!({ "ask": "adapt" })),
         with(json!({ "ask": "pages", "letter": true, "width": 64, "speak": "en" })),
         with(
             json!({ "ask": "exercise", "title": "x", "scenario": "until = 5\n[[expect]]\nat = 1\n" }),
@@ -54,7 +55,6 @@ fn requests() -> Vec<Value> {
         json!({ "ask": "flashStep", "now": 1, "came": [20, 16] }),
         json!({ "ask": "flashLose", "why": "gone" }),
         json!({ "ask": "machine", "name": "m.toml", "text": include_str!("../../../programs/plants/motor.toml"), "speak": "pt", "keep": false }),
-        json!({ "ask": "machineStep", "levels": 5, "shares": [0, 255, 12, 0], "ms": 3 }),
         json!({ "ask": "machineHand", "part": 1, "value": 0, "to": 1 }),
         json!({ "ask": "machineFault", "part": 2, "fault": "welded", "is": true }),
         json!({ "ask": "machineLook" }),
@@ -130,6 +130,7 @@ fn random_requests_are_answered() {
 fn mutated_requests_are_answered() {
     let mut random = Random(18);
     let mut boards = Boards::default();
+    let mut wires = Wires::default();
     let requests = requests();
     for request in &requests {
         is_answered(request.to_string().as_bytes(), &mut boards);
@@ -149,5 +150,9 @@ fn mutated_requests_are_answered() {
             }
         }
         is_answered(&bytes, &mut boards);
+        // Whatever was asked, a machine goes on, or there is none.
+        wires.shares = [random.bits() as u8; 100];
+        let (levels, ms) = (random.bits() as u32, random.bits() as u32);
+        step(&mut boards, levels, &mut wires, ms);
     }
 }

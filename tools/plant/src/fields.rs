@@ -1,6 +1,6 @@
 //! What a part is given, by what its kind asks for.
 
-use crate::keys::{Keys, Notes, quantity};
+use crate::keys::{Amiss, Keys, Notes, quantity};
 use crate::kind::{Field, Form, Kind};
 use crate::mistake::Wrong;
 use crate::plant::Part;
@@ -200,7 +200,7 @@ impl Names<'_> {
                 None => {
                     let example = example(field.form);
                     let key = field.name;
-                    self.notes.wrong(&place, Wrong::Kind { key, example });
+                    self.notes.wrong(&place, Amiss::Kind { key, example });
                     None
                 }
             },
@@ -272,7 +272,7 @@ impl Names<'_> {
             Form::Choice(words) => {
                 let choice = words.iter().position(|word| *word == text);
                 if choice.is_none() {
-                    let wrong = Wrong::Choice {
+                    let wrong = Amiss::Choice {
                         key: field.name.to_owned(),
                         given: format!("{text:?}"),
                         known: quoted(words),

@@ -4,7 +4,7 @@
 //! - [`Run`]: a plant in motion: outputs in, inputs out, 1 ms a step, whole numbers only, seeded
 //! - [`Verdict`]: which rules broke when, and which goals were met
 //! - [`KINDS`]: every kind of part: what the reader, the checks and the pages are made from
-//! - [`picture`]: a moment of it as a drawing
+//! - [`picture`]: a moment of it as a drawing; [`live`]: what changes of that
 //!
 //! The way of a file: `keys` (values with their places), `read`, `fields` (what a part is given), `order` (what needs
 //! what), `rules`, `sentence` (a rule in words). `kind` is the form of the table; `parts/` are its rows, by groups, each with what it does in a
@@ -36,7 +36,7 @@ mod unit;
 mod verdict;
 mod words;
 
-pub use draw::{Change, Picture, picture, symbol};
+pub use draw::{Change, Live, Picture, live, picture, symbol};
 pub use guide::guide;
 pub use kind::{Fault, Field, Form, Group, Kind, Limit, Slot};
 pub use mistake::{Mistake, Wrong};

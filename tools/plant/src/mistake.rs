@@ -1,17 +1,12 @@
 //! What can be wrong with a plant's file, as values and in words.
 
 use crate::words;
+use unoclp_keyed::{Amiss, Reason};
 use unoclp_lang::Diagnostic;
 use unoclp_words::Lang;
 
-/// A mistake, and where it stands.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mistake {
-    /// The line of the file, counted from 1.
-    pub line: usize,
-    /// What is wrong.
-    pub wrong: Wrong,
-}
+/// A mistake in a plant's file, and where it stands.
+pub type Mistake = unoclp_keyed::Mistake<Wrong>;
 
 macro_rules! wrongs {
     ($($(#[$about:meta])* $name:ident $({ $($(#[$of:meta])* $value:ident: $type:ty),* })? => $word:ident;)*) => {
@@ -19,6 +14,8 @@ macro_rules! wrongs {
         #[derive(Clone, Debug, PartialEq, Eq)]
         pub enum Wrong {
             $($(#[$about])* $name $({ $($(#[$of])* $value: $type),* })?,)*
+            /// What is wrong with any file.
+            Keys(Amiss),
             /// A rule is no condition.
             NoCondition {
                 /// What the language says of it.
@@ -26,11 +23,11 @@ macro_rules! wrongs {
             },
         }
 
-        impl Wrong {
-            /// The reason and the remedy, in this language.
-            pub fn text(&self, lang: Lang) -> String {
+        impl Reason for Wrong {
+            fn text(&self, lang: Lang) -> String {
                 match self {
                     $(Wrong::$name $({ $($value),* })? => words::$word(lang $($(, $value)*)?),)*
+                    Wrong::Keys(amiss) => amiss.text(lang),
                     Wrong::NoCondition { told: None } => words::no_condition(lang, "", ""),
                     Wrong::NoCondition { told: Some(told) } => {
                         let help = told.help(lang);
@@ -44,29 +41,6 @@ macro_rules! wrongs {
 }
 
 wrongs! {
-    /// It is no TOML.
-    NoToml => no_toml;
-    /// There is no such key here.
-    NoKey {
-        /// The key.
-        key: String,
-        /// Those that there are.
-        known: String
-    } => no_key;
-    /// A key is missing.
-    Missing {
-        /// The key.
-        key: &'static str,
-        /// An example of it.
-        example: &'static str
-    } => missing;
-    /// A value is of another kind.
-    Kind {
-        /// The key.
-        key: &'static str,
-        /// An example of it.
-        example: &'static str
-    } => kind;
     /// A number is out of its range.
     Range {
         /// The key.
@@ -94,15 +68,6 @@ wrongs! {
         /// One that is right.
         example: String
     } => no_unit;
-    /// A text is none of those that there are.
-    Choice {
-        /// The key.
-        key: String,
-        /// What was given.
-        given: String,
-        /// Those that there are.
-        known: String
-    } => choice;
     /// A name that cannot be one.
     Name {
         /// What was given.
@@ -222,9 +187,8 @@ wrongs! {
     } => too_late;
 }
 
-impl Mistake {
-    /// In this language: `press.toml:7: I3 is the input of start too; …`
-    pub fn text(&self, file: &str, lang: Lang) -> String {
-        format!("{file}:{}: {}", self.line, self.wrong.text(lang))
+impl From<Amiss> for Wrong {
+    fn from(amiss: Amiss) -> Wrong {
+        Wrong::Keys(amiss)
     }
 }

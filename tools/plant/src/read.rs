@@ -1,7 +1,7 @@
 //! From the text of a file to a plant.
 
 use crate::fields::{Names, quoted};
-use crate::keys::{At, Keys, Notes, whole};
+use crate::keys::{Amiss, At, Keys, both, number, pair, place_of, quantity, time, whole};
 use crate::kind::{Fault, Form, Kind};
 use crate::mistake::{Mistake, Wrong};
 use crate::names::names;
@@ -14,8 +14,8 @@ use crate::text::Text;
 use crate::unit::Unit;
 use std::collections::BTreeMap;
 use std::ops::Range;
-use toml::de::DeTable;
 use unoclp_core::Board;
+use unoclp_keyed::keyed;
 use unoclp_lang::typed::Base;
 use unoclp_lang::{Condition, condition, is_name};
 
@@ -35,20 +35,12 @@ const FILE: [&str; 11] = [
 /// # Errors
 /// All that is wrong with it, in the order of the lines.
 pub fn read(text: &str, board: Board) -> Result<Plant, Vec<Mistake>> {
-    let notes = Notes::new(text);
-    let (table, errors) = DeTable::parse_recoverable(text);
-    if let Some(error) = errors.first() {
-        // What is no TOML at all would be told in each of its lines, in the same words.
-        notes.wrong(&error.span().unwrap_or_default(), Wrong::NoToml);
-        return Err(notes.mistakes());
-    }
-    let keys = Keys::new(table.get_ref(), 0..0, &notes);
-    keys.known(&FILE);
-    let plant = plant(&keys, board);
-    match plant {
-        Some(plant) if notes.is_right() => Ok(plant),
-        _ => Err(notes.mistakes()),
-    }
+    let plant = keyed(text, |keys| {
+        keys.known(&FILE);
+        plant(keys, board)
+    })?;
+    // Without a plant there was a mistake.
+    plant.ok_or_else(Vec::new)
 }
 
 /// The tables of a key, of which there are not too many.
@@ -58,7 +50,7 @@ fn some<'a>(
     example: &'static str,
     most: usize,
 ) -> Vec<Keys<'a>> {
-    let mut tables = keys.tables(key, example);
+    let mut tables = keys.tables(key, example).unwrap_or_default();
     if let Some(first) = tables.get(most) {
         keys.notes.wrong(&first.place, Wrong::TooMany { key, most });
         tables.truncate(most);
@@ -68,17 +60,15 @@ fn some<'a>(
 
 /// The plant as far as its parts are right; none where they are not, which is told.
 fn plant(keys: &Keys<'_>, usual: Board) -> Option<Plant> {
-    let title = keys.both("title");
+    let title = both(keys, "title");
     if !keys.has("title") {
         keys.missing("title", "{ en = \"Press\", pt = \"Prensa\" }");
     }
     let title = title.map_or_else(Text::default, |at| at.value);
-    let about = keys.both("about").map_or_else(Text::default, |at| at.value);
+    let about = both(keys, "about").map_or_else(Text::default, |at| at.value);
     let board = board(keys, usual);
-    let until = keys.time("until", 1, DAY).map_or(60_000, |at| at.value);
-    let seed = keys
-        .whole("seed", 0, i64::from(i32::MAX))
-        .map_or(1, |at| at.value);
+    let until = time(keys, "until", 1, DAY).map_or(60_000, |at| at.value);
+    let seed = number(keys, "seed", 0, i64::from(i32::MAX)).map_or(1, |at| at.value);
     let tables = some(
         keys,
         "part",
@@ -162,7 +152,7 @@ fn board(keys: &Keys<'_>, usual: Board) -> Board {
     };
     Board::named(&value).unwrap_or_else(|| {
         let ids: Vec<&str> = Board::ALL.iter().map(Board::id).collect();
-        let wrong = Wrong::Choice {
+        let wrong = Amiss::Choice {
             key: "board".to_owned(),
             given: format!("{value:?}"),
             known: quoted(&ids),
@@ -195,7 +185,7 @@ fn head(keys: &Keys<'_>) -> Option<(String, &'static Kind)> {
         let kind = named(&value);
         if kind.is_none() {
             let kinds: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
-            let wrong = Wrong::Choice {
+            let wrong = Amiss::Choice {
                 key: "kind".to_owned(),
                 given: format!("{value:?}"),
                 known: quoted(&kinds),
@@ -220,12 +210,12 @@ fn part(
         .chain(own)
         .collect();
     keys.known(&known);
-    let label = keys.both("label");
+    let label = both(keys, "label");
     let mut part = Part {
         kind,
         name: name.to_owned(),
         label: label.map_or_else(|| Text::same(name), |at| at.value),
-        at: keys.place_of("at").map(|at| at.value),
+        at: place_of(keys, "at").map(|at| at.value),
         given: names.given(kind, name, keys),
         ranges: Vec::new(),
         cells: Vec::new(),
@@ -300,7 +290,7 @@ fn written<'a>(keys: &Keys<'a>, key: &str) -> Option<&'a str> {
 
 /// What a rule says; its condition as a sentence, where it says nothing else.
 fn rule_text(keys: &Keys<'_>, sentence: impl FnOnce(&str) -> Text) -> Text {
-    let text = keys.both("text").map(|at| at.value);
+    let text = both(keys, "text").map(|at| at.value);
     text.unwrap_or_else(|| sentence(written(keys, "when").unwrap_or_default()))
 }
 
@@ -313,8 +303,8 @@ fn nevers(keys: &Keys<'_>, conditions: &Conditions, plant: &Plant) -> Vec<Never>
     );
     let never = |keys: &Keys<'_>| {
         keys.known(&["when", "text", "after", "for"]);
-        let after = keys.time("after", 0, DAY).map_or(0, |at| at.value);
-        let lasts = keys.time("for", 0, DAY).map_or(0, |at| at.value);
+        let after = time(keys, "after", 0, DAY).map_or(0, |at| at.value);
+        let lasts = time(keys, "for", 0, DAY).map_or(0, |at| at.value);
         let when = conditions.needed(keys, "when")?;
         Some(Never {
             text: rule_text(keys, |when| sentence::never(when, after, lasts, plant)),
@@ -339,7 +329,7 @@ fn goals(keys: &Keys<'_>, conditions: &Conditions, plant: &Plant) -> Vec<Goal> {
         if !keys.has("within") {
             keys.missing("within", "\"30 s\"");
         }
-        let within = keys.time("within", 1, DAY)?.value;
+        let within = time(keys, "within", 1, DAY)?.value;
         let when = conditions.needed(keys, "when")?;
         let each_time = written(keys, "each");
         Some(Goal {
@@ -361,9 +351,9 @@ fn troubles(keys: &Keys<'_>, names: &Names<'_>, conditions: &Conditions) -> Vec<
     );
     let trouble = |keys: &Keys<'_>| {
         keys.known(&["part", "is", "at", "when", "for"]);
-        let at = keys.time("at", 0, DAY).map(|at| at.value);
+        let at = time(keys, "at", 0, DAY).map(|at| at.value);
         let when = conditions.of(keys, "when");
-        let lasts = keys.time("for", 1, DAY).map_or(0, |at| at.value);
+        let lasts = time(keys, "for", 1, DAY).map_or(0, |at| at.value);
         if !keys.has("at") && !keys.has("when") {
             keys.notes.wrong(&keys.place, Wrong::NeverComes);
         }
@@ -406,8 +396,8 @@ fn steps(keys: &Keys<'_>, names: &Names<'_>, plant: &Plant) -> Vec<Step> {
         if !table.has("at") {
             table.missing("at", "\"1 s\"");
         }
-        let at = table.time("at", 0, DAY);
-        let lasts = table.time("for", 1, DAY);
+        let at = time(table, "at", 0, DAY);
+        let lasts = time(table, "for", 1, DAY);
         if let Some(late) = at.as_ref().filter(|at| at.value > plant.until) {
             let until = Unit::Ms.shown(plant.until as i64);
             let key = "at";
@@ -444,7 +434,7 @@ fn steps(keys: &Keys<'_>, names: &Names<'_>, plant: &Plant) -> Vec<Step> {
                 Some(number) if (i64::from(low)..=i64::from(high)).contains(&number) => {
                     Some(number as i32)
                 }
-                _ => crate::keys::quantity(
+                _ => quantity(
                     keys.notes,
                     &path.value,
                     value,
@@ -514,7 +504,7 @@ fn decorations(keys: &Keys<'_>, names: &Names<'_>) -> Vec<Decoration> {
     );
     let decoration = |keys: &Keys<'_>| {
         keys.known(&["kind", "points", "carries", "text"]);
-        let text = keys.both("text").map_or_else(Text::default, |at| at.value);
+        let text = both(keys, "text").map_or_else(Text::default, |at| at.value);
         let carries = keys.text("carries", "\"valve.flow\"");
         let carries = carries.and_then(|At { value, place }| names.value(&value, &place));
         let example = "[[0, 0], [40, 0]]";
@@ -523,7 +513,7 @@ fn decorations(keys: &Keys<'_>, names: &Names<'_>) -> Vec<Decoration> {
         }
         let points = keys.take("points", example, |value| {
             let array = value.as_array()?;
-            let points = array.iter().map(|value| crate::keys::pair(value.get_ref()));
+            let points = array.iter().map(|value| pair(value.get_ref()));
             points
                 .collect::<Option<Vec<_>>>()
                 .filter(|all| (1..=50).contains(&all.len()))
@@ -531,7 +521,7 @@ fn decorations(keys: &Keys<'_>, names: &Names<'_>) -> Vec<Decoration> {
         let At { value, place } = keys.needed("kind", "\"pipe\"")?;
         let kind = DRAWN.into_iter().find(|kind| *kind == value);
         if kind.is_none() {
-            let wrong = Wrong::Choice {
+            let wrong = Amiss::Choice {
                 key: "kind".to_owned(),
                 given: format!("{value:?}"),
                 known: quoted(&DRAWN),

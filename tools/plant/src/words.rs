@@ -3,18 +3,6 @@
 //! Owns the words. Must not know of what they tell.
 
 unoclp_words::messages! {
-    no_toml()
-        "this is not TOML; check quotes, commas and brackets, and whether a key appears twice"
-        "isto não é TOML; confira aspas, vírgulas e colchetes, e se uma chave aparece duas vezes";
-    no_key(key, known)
-        "there is no key `{key}` here; there is {known}"
-        "não existe aqui a chave `{key}`; existe {known}";
-    missing(key, example)
-        "the key `{key}` is missing; write `{key} = {example}`"
-        "falta a chave `{key}`; escreva `{key} = {example}`";
-    kind(key, example)
-        "`{key}` takes another kind of value; write `{key} = {example}`"
-        "`{key}` pede outro tipo de valor; escreva `{key} = {example}`";
     range(key, from, to)
         "`{key}` is out of its range; give {from} to {to}"
         "`{key}` está fora da faixa; dê de {from} a {to}";
@@ -24,9 +12,6 @@ unoclp_words::messages! {
     no_unit(key, given, known, example)
         "`{key}` must be a number with a unit ({known}), and {given} is not; write \"{example}\""
         "`{key}` deve ser um número com unidade ({known}), e {given} não é; escreva \"{example}\"";
-    choice(key, given, known)
-        "`{key}` cannot be {given}; give {known}"
-        "`{key}` não pode ser {given}; dê {known}";
     name(given)
         "{given} cannot be the name of a part; use a letter, then letters, digits and _, at most 24, and no word of Structured Text"
         "{given} não é um nome de elemento; use uma letra e depois letras, algarismos e _, no máximo 24, e nenhuma palavra do Texto Estruturado";

@@ -1,7 +1,7 @@
 //! The tables `alarm` of a site file.
 
 use crate::alarm::{Alarm, Reading, Severity, Sort, Text, UP, When};
-use crate::keys::{At, Keys};
+use crate::keys::{Amiss, At, Keys, time};
 use crate::mistake::Wrong;
 use crate::named::named;
 use crate::points::{Kind, Point};
@@ -24,10 +24,10 @@ const LONGEST_TEXT: usize = 200;
 
 /// The alarms, as far as they are right.
 pub(crate) fn alarms(keys: &Keys<'_>, lines: &[Line]) -> Vec<Alarm> {
-    let known = ["name", "when", "for", "text", "severity"];
-    let tables = keys.tables("alarm", EXAMPLE, &known).unwrap_or_default();
+    let tables = keys.tables("alarm", EXAMPLE).unwrap_or_default();
     let mut alarms: Vec<Alarm> = Vec::new();
     for table in &tables {
+        table.known(&["name", "when", "for", "text", "severity"]);
         let name = named(table, NAME);
         if let Some(At { value, place }) = &name
             && alarms
@@ -38,7 +38,7 @@ pub(crate) fn alarms(keys: &Keys<'_>, lines: &[Line]) -> Vec<Alarm> {
             table.notes.wrong(place, Wrong::TwoAlarms { name });
         }
         let when = when(table, lines);
-        let lasts = table.time("for", "\"5s\"", ["0s", "1d"]);
+        let lasts = time(table, "for", "\"5s\"", ["0s", "1d"]);
         let severity = severity(table);
         let text = text(table);
         if let (Some(name), Some(when), Some(text)) = (name, when, text) {
@@ -141,8 +141,8 @@ fn severity(table: &Keys<'_>) -> Severity {
     if let Some(severity) = all.into_iter().find(|of| of.word() == value) {
         return severity;
     }
-    let wrong = Wrong::Choice {
-        key: "severity",
+    let wrong = Amiss::Choice {
+        key: "severity".to_owned(),
         given: value,
         known: "\"low\", \"medium\", \"high\"".to_owned(),
     };
@@ -153,7 +153,8 @@ fn severity(table: &Keys<'_>) -> Severity {
 fn text(table: &Keys<'_>) -> Option<Text> {
     let (en, pt) = match table.is_table("text") {
         true => {
-            let of = table.table("text", TEXT, &["en", "pt"])?;
+            let of = table.table("text", TEXT)?;
+            of.known(&["en", "pt"]);
             let text = |key| of.text(key, NAME).map(|text| text.value);
             (text("en"), text("pt"))
         }
@@ -171,7 +172,7 @@ fn text(table: &Keys<'_>) -> Option<Text> {
     match (en.clone().or(pt.clone()), pt.or(en)) {
         (Some(en), Some(pt)) => Some(Text { en, pt }),
         _ => {
-            let place = table.has("text").unwrap_or(table.place.clone());
+            let place = table.at("text").unwrap_or(table.place.clone());
             table.notes.wrong(&place, Wrong::NoText);
             None
         }

@@ -2,7 +2,7 @@
 
 use crate::broker::Secret;
 use crate::database::Server;
-use crate::keys::{At, Keys};
+use crate::keys::{Amiss, At, Keys, time};
 use crate::mistake::Wrong;
 use crate::site::{History, Journal, Store};
 use crate::size::size;
@@ -21,9 +21,9 @@ const BOUND: u64 = 256_000_000;
 /// The table `history`, as far as it is right.
 pub(crate) fn history(keys: &Keys<'_>) -> Option<History> {
     let example = "{ store = \"history.db\" }";
-    let known = ["store", "keep", "password", "ca", "tls"];
-    let history = keys.table("history", example, &known)?;
-    let keep = history.time("keep", "\"400d\"", ["1h", "36500d"]);
+    let history = keys.table("history", example)?;
+    history.known(&["store", "keep", "password", "ca", "tls"]);
+    let keep = time(&history, "keep", "\"400d\"", ["1h", "36500d"]);
     let password = history.text("password", "\"…\"");
     let ca = history.text("ca", "\"ca.pem\"");
     let tls = tls(&history);
@@ -48,7 +48,7 @@ pub(crate) fn history(keys: &Keys<'_>) -> Option<History> {
         }
         false => {
             for key in OF_SERVER {
-                if let Some(place) = history.has(key) {
+                if let Some(place) = history.at(key) {
                     keys.notes.wrong(&place, Wrong::OfServer { key });
                 }
             }
@@ -67,8 +67,8 @@ fn tls(history: &Keys<'_>) -> Option<()> {
     if value == "none" {
         return Some(());
     }
-    let wrong = Wrong::Choice {
-        key: "tls",
+    let wrong = Amiss::Choice {
+        key: "tls".to_owned(),
         given: value,
         known: "\"none\"".to_owned(),
     };
@@ -78,8 +78,8 @@ fn tls(history: &Keys<'_>) -> Option<()> {
 
 fn file(keys: &Keys<'_>, key: &'static str, known: &str, given: &At<String>) -> Option<Store> {
     if given.value.is_empty() {
-        let wrong = Wrong::Choice {
-            key,
+        let wrong = Amiss::Choice {
+            key: key.to_owned(),
             given: format!("{:?}", given.value),
             known: known.to_owned(),
         };
@@ -97,10 +97,11 @@ pub(crate) fn journal(keys: &Keys<'_>, history: Option<&History>) -> Journal {
         bound: BOUND,
     };
     let example = "{ bound = \"256MB\" }";
-    let Some(journal) = keys.table("journal", example, &["store", "every", "bound"]) else {
+    let Some(journal) = keys.table("journal", example) else {
         return usual;
     };
-    let every = journal.time("every", "\"200ms\"", ["10ms", "1m"]);
+    journal.known(&["store", "every", "bound"]);
+    let every = time(&journal, "every", "\"200ms\"", ["10ms", "1m"]);
     let store = journal.text("store", "\"site.journal\"");
     let store = store.filter(|given| {
         let known = "\"site.journal\"";

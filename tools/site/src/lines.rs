@@ -1,7 +1,7 @@
 //! The lines of a site file, and the boards at them.
 
 use crate::files::Files;
-use crate::keys::{At, Keys};
+use crate::keys::{Amiss, At, Keys, number, time};
 use crate::mistake::Wrong;
 use crate::points::Points;
 use crate::site::{Board, Line, Way};
@@ -18,14 +18,14 @@ const ADDRESSES: std::ops::Range<i64> =
 
 /// All lines, as far as they are right.
 pub(crate) fn lines(keys: &Keys<'_>, files: &dyn Files) -> Vec<Line> {
-    let known = ["port", "tcp", "rate", "parity", "board"];
-    let tables = keys.tables("line", "[{ port = \"/dev/ttyACM0\" }]", &known);
+    let tables = keys.tables("line", "[{ port = \"/dev/ttyACM0\" }]");
     if tables.as_ref().is_some_and(Vec::is_empty) {
         keys.notes.wrong(&keys.place, Wrong::NoLine);
     }
     let mut seen = Seen::default();
     let mut lines: Vec<Line> = Vec::new();
     for table in &tables.unwrap_or_default() {
+        table.known(&["port", "tcp", "rate", "parity", "board"]);
         let way = way(table);
         let boards = seen.boards(table, files);
         let Some(way) = way else { continue };
@@ -51,7 +51,7 @@ fn way(table: &Keys<'_>) -> Option<Way> {
         }),
         (None, Some(At { value, place })) => {
             for key in ["rate", "parity"] {
-                if let Some(place) = table.has(key) {
+                if let Some(place) = table.at(key) {
                     table.notes.wrong(&place, Wrong::FormatOfTcp { key });
                 }
             }
@@ -63,7 +63,7 @@ fn way(table: &Keys<'_>) -> Option<Way> {
         }
         (port, server) => {
             // What is of another kind has been told.
-            let told = table.has("port").is_some() != table.has("tcp").is_some();
+            let told = table.has("port") != table.has("tcp");
             if port.is_some() == server.is_some() && !told {
                 table.notes.wrong(&table.place, Wrong::WayOfLine);
             }
@@ -82,16 +82,16 @@ fn is_host(text: &str) -> bool {
 
 fn rate(table: &Keys<'_>) -> u32 {
     let usual = u32::from(setting::RATE.default) * 100;
-    let Some(At { value, place }) = table.number("rate", "115200", 0..i64::from(u32::MAX)) else {
+    let Some(At { value, place }) = number(table, "rate", "115200", 0..i64::from(u32::MAX)) else {
         return usual;
     };
     if !RATES.contains(&value) {
         let known = RATES.map(|rate| rate.to_string()).join(", ");
         let given = value.to_string();
-        let key = "rate";
+        let key = "rate".to_owned();
         table
             .notes
-            .wrong(&place, Wrong::Choice { key, given, known });
+            .wrong(&place, Amiss::Choice { key, given, known });
     }
     value
 }
@@ -105,8 +105,8 @@ fn parity(table: &Keys<'_>) -> Parity {
         "even" => Parity::Even,
         "odd" => Parity::Odd,
         _ => {
-            let wrong = Wrong::Choice {
-                key: "parity",
+            let wrong = Amiss::Choice {
+                key: "parity".to_owned(),
                 given: value,
                 known: "\"none\", \"even\", \"odd\"".to_owned(),
             };
@@ -122,15 +122,15 @@ struct Seen(Vec<(String, u8)>);
 
 impl Seen {
     fn boards(&mut self, line: &Keys<'_>, files: &dyn Files) -> Vec<Board> {
-        let known = ["address", "unit", "name", "program", "every"];
-        let tables = line.tables("board", "[{ name = \"estufa\" }]", &known);
+        let tables = line.tables("board", "[{ name = \"estufa\" }]");
         if tables.as_ref().is_some_and(Vec::is_empty) {
             line.notes.wrong(&line.place, Wrong::NoBoard);
         }
         let mut boards: Vec<Board> = Vec::new();
         for table in &tables.unwrap_or_default() {
-            let address = table.number::<u8>("address", "1", ADDRESSES);
-            let address = match (address, table.has("address")) {
+            table.known(&["address", "unit", "name", "program", "every"]);
+            let address = number::<u8>(table, "address", "1", ADDRESSES);
+            let address = match (address, table.at("address")) {
                 (Some(address), _) => address,
                 (None, place) => At {
                     value: setting::ADDRESS.default as u8,
@@ -145,7 +145,7 @@ impl Seen {
                 };
                 table.notes.wrong(&address.place, wrong);
             }
-            let unit = table.number::<u8>("unit", "1", ADDRESSES);
+            let unit = number::<u8>(table, "unit", "1", ADDRESSES);
             // Without a unit it is the address.
             let unit = unit.unwrap_or(address.clone());
             let name = self.name(table);
@@ -154,7 +154,7 @@ impl Seen {
             let points = program
                 .as_ref()
                 .and_then(|program| points(table, program, files));
-            let every = table.time("every", "\"500ms\"", ["10ms", "1h"]);
+            let every = time(table, "every", "\"500ms\"", ["10ms", "1h"]);
             boards.push(Board {
                 address: address.value,
                 unit: unit.value,

@@ -1,44 +1,18 @@
 //! What can be wrong with a site file, as values and in words.
 
 use crate::words;
+use unoclp_keyed::{Amiss, Reason};
 use unoclp_lang::Diagnostic;
 use unoclp_program::Lang;
 
-/// A mistake, and where it stands.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mistake {
-    /// The line of the file, counted from 1.
-    pub line: usize,
-    /// What is wrong.
-    pub wrong: Wrong,
-}
+/// A mistake in a site file, and where it stands.
+pub type Mistake = unoclp_keyed::Mistake<Wrong>;
 
 /// What is wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Wrong {
-    /// It is no TOML.
-    NoToml,
-    /// There is no such key here.
-    NoKey {
-        /// The key.
-        key: String,
-        /// Those that there are.
-        known: String,
-    },
-    /// A key is missing.
-    Missing {
-        /// The key.
-        key: &'static str,
-        /// An example of it.
-        example: &'static str,
-    },
-    /// A value is of another kind.
-    Kind {
-        /// The key.
-        key: &'static str,
-        /// An example of it.
-        example: &'static str,
-    },
+    /// What is wrong with any file.
+    Keys(Amiss),
     /// A number is out of its range.
     Range {
         /// The key.
@@ -47,15 +21,6 @@ pub enum Wrong {
         from: i64,
         /// The most.
         to: i64,
-    },
-    /// A text is none of those that there are.
-    Choice {
-        /// The key.
-        key: &'static str,
-        /// What was given.
-        given: String,
-        /// Those that there are.
-        known: String,
     },
     /// No address and port.
     NoAddress {
@@ -239,23 +204,17 @@ pub enum Wrong {
     },
 }
 
-impl Mistake {
-    /// In this language: `site.toml:7: two boards of this line have address 1; …`
-    pub fn text(&self, file: &str, lang: Lang) -> String {
-        format!("{file}:{}: {}", self.line, self.wrong.text(lang))
+impl From<Amiss> for Wrong {
+    fn from(amiss: Amiss) -> Wrong {
+        Wrong::Keys(amiss)
     }
 }
 
-impl Wrong {
-    /// The reason and the remedy, in this language.
-    pub fn text(&self, lang: Lang) -> String {
+impl Reason for Wrong {
+    fn text(&self, lang: Lang) -> String {
         match self {
-            Wrong::NoToml => words::no_toml(lang),
-            Wrong::NoKey { key, known } => words::no_key(lang, key, known),
-            Wrong::Missing { key, example } => words::missing(lang, key, example),
-            Wrong::Kind { key, example } => words::kind(lang, key, example),
+            Wrong::Keys(amiss) => amiss.text(lang),
             Wrong::Range { key, from, to } => words::range(lang, key, from, to),
-            Wrong::Choice { key, given, known } => words::choice(lang, key, given, known),
             Wrong::NoAddress { given } => words::no_address(lang, given),
             Wrong::NoHost { given } => words::no_host(lang, given),
             Wrong::NoTime { given, from, to } => words::no_time(lang, given, from, to),

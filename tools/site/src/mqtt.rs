@@ -2,7 +2,7 @@
 
 use crate::broker::{Broker, Secret, Sparkplug};
 use crate::grants::grants;
-use crate::keys::{At, Keys};
+use crate::keys::{At, Keys, time};
 use crate::mistake::Wrong;
 use crate::site::{Line, Mqtt};
 use std::time::Duration;
@@ -26,12 +26,13 @@ pub(crate) fn mqtt(keys: &Keys<'_>, lines: &[Line]) -> Option<Mqtt> {
         "sparkplug",
         "write",
     ];
-    let mqtt = keys.table("mqtt", EXAMPLE, &known)?;
+    let mqtt = keys.table("mqtt", EXAMPLE)?;
+    mqtt.known(&known);
     let boards: Vec<_> = lines.iter().flat_map(|line| &line.boards).collect();
     let write = grants(&mqtt, &boards);
     let topic = name(&mqtt, "topic", "\"unoclp\"").unwrap_or_else(|| "unoclp".to_owned());
     let sparkplug = sparkplug(&mqtt, &topic);
-    let every = mqtt.time("every", "\"1m\"", ["1s", "1d"]);
+    let every = time(&mqtt, "every", "\"1m\"", ["1s", "1d"]);
     let home_assistant = mqtt.flag("home_assistant").is_some_and(|flag| flag.value);
     let user = mqtt.text("user", "\"gateway\"");
     let password = mqtt.text("password", "\"…\"");
@@ -71,7 +72,8 @@ fn broker(mqtt: &Keys<'_>) -> Option<Broker> {
 }
 
 fn sparkplug(mqtt: &Keys<'_>, topic: &str) -> Option<Sparkplug> {
-    let table = mqtt.table("sparkplug", GROUP, &["group", "node", "host"])?;
+    let table = mqtt.table("sparkplug", GROUP)?;
+    table.known(&["group", "node", "host"]);
     let node = name(&table, "node", "\"room1\"");
     let host = name(&table, "host", "\"scada\"");
     table.needed("group", "\"lab\"")?;

@@ -4,37 +4,26 @@ use crate::alarms::alarms;
 use crate::files::Files;
 use crate::grants::grants;
 use crate::kept::{history, journal};
-use crate::keys::{At, Keys, Notes};
+use crate::keys::{Amiss, At, Keys, address};
 use crate::lines::lines;
 use crate::mistake::{Mistake, Wrong};
 use crate::mqtt::mqtt;
 use crate::site::{Encryption, Http, Modbus, Site};
 use crate::users::users;
 use std::net::{Ipv4Addr, SocketAddr};
-use toml::de::DeTable;
+use unoclp_keyed::keyed;
 
 /// Reads the text of a site file.
 ///
 /// # Errors
 /// All that is wrong with it, in the order of the lines.
 pub fn read(text: &str, files: &dyn Files) -> Result<Site, Vec<Mistake>> {
-    let notes = Notes::new(text);
-    let (table, errors) = DeTable::parse_recoverable(text);
-    if let Some(error) = errors.first() {
-        // What is no TOML at all would be told in each of its lines, in the same words.
-        notes.wrong(&error.span().unwrap_or_default(), Wrong::NoToml);
-        return Err(notes.mistakes());
-    }
-    let known = [
-        "http", "line", "modbus", "mqtt", "history", "journal", "alarm", "user",
-    ];
-    let keys = Keys::new(table.get_ref(), 0..0, &notes, &known);
-    let site = site(&keys, files);
-    let mistakes = notes.mistakes();
-    match mistakes.is_empty() {
-        true => Ok(site),
-        false => Err(mistakes),
-    }
+    keyed(text, |keys: &Keys<'_>| {
+        keys.known(&[
+            "http", "line", "modbus", "mqtt", "history", "journal", "alarm", "user",
+        ]);
+        site(keys, files)
+    })
 }
 
 /// As much of it as is right.
@@ -67,14 +56,15 @@ fn http(keys: &Keys<'_>) -> (At<SocketAddr>, Encryption) {
         place: 0..0,
     };
     let example = "{ listen = \"127.0.0.1:8420\" }";
-    let Some(http) = keys.table("http", example, &["listen", "tls"]) else {
+    let Some(http) = keys.table("http", example) else {
         return (usual, Encryption::None);
     };
+    http.known(&["listen", "tls"]);
     let tls = encryption(&http);
-    let listen = http.address("listen", "\"127.0.0.1:8420\"");
+    let listen = address(&http, "listen", "\"127.0.0.1:8420\"");
     if let Some(At { value, place }) = &listen
         && !value.ip().is_loopback()
-        && http.has("tls").is_none()
+        && !http.has("tls")
     {
         let listen = value.to_string();
         keys.notes.wrong(place, Wrong::Open { listen });
@@ -86,7 +76,8 @@ const ENCRYPTIONS: &str = "\"self-signed\", { cert = \"cert.pem\", key = \"key.p
 
 fn encryption(http: &Keys<'_>) -> Option<Encryption> {
     if http.is_table("tls") {
-        let files = http.table("tls", "\"self-signed\"", &["cert", "key"])?;
+        let files = http.table("tls", "\"self-signed\"")?;
+        files.known(&["cert", "key"]);
         let cert = files.needed("cert", "\"cert.pem\"");
         let key = files.needed("key", "\"key.pem\"");
         return Some(Encryption::Files {
@@ -99,8 +90,8 @@ fn encryption(http: &Keys<'_>) -> Option<Encryption> {
         "none" => Some(Encryption::None),
         "self-signed" => Some(Encryption::SelfSigned),
         _ => {
-            let wrong = Wrong::Choice {
-                key: "tls",
+            let wrong = Amiss::Choice {
+                key: "tls".to_owned(),
                 given: value,
                 known: ENCRYPTIONS.to_owned(),
             };
@@ -112,10 +103,11 @@ fn encryption(http: &Keys<'_>) -> Option<Encryption> {
 
 fn modbus(keys: &Keys<'_>, lines: &[crate::Line], http: &At<SocketAddr>) -> Option<Modbus> {
     let example = "{ listen = \"127.0.0.1:1502\" }";
-    let modbus = keys.table("modbus", example, &["listen", "write"])?;
+    let modbus = keys.table("modbus", example)?;
+    modbus.known(&["listen", "write"]);
     let boards: Vec<_> = lines.iter().flat_map(|line| &line.boards).collect();
     let write = grants(&modbus, &boards);
-    let listen = modbus.address("listen", "\"127.0.0.1:1502\"")?;
+    let listen = address(&modbus, "listen", "\"127.0.0.1:1502\"")?;
     // Port 0 is another one each time.
     if listen.value == http.value && listen.value.port() != 0 {
         let address = listen.value.to_string();

@@ -1,7 +1,7 @@
 //! The tables `user` of a site file.
 
 use crate::broker::Secret;
-use crate::keys::{At, Keys};
+use crate::keys::{Amiss, At, Keys};
 use crate::mistake::Wrong;
 use crate::named::named;
 use unoclp_key::is_key;
@@ -47,9 +47,10 @@ impl Role {
 
 /// The users, as far as they are right.
 pub(crate) fn users(keys: &Keys<'_>) -> Vec<User> {
-    let tables = keys.tables("user", EXAMPLE, &["name", "role", "key"]);
+    let tables = keys.tables("user", EXAMPLE);
     let mut users: Vec<User> = Vec::new();
     for table in &tables.unwrap_or_default() {
+        table.known(&["name", "role", "key"]);
         let name = named(table, "\"ana\"");
         if let Some(At { value, place }) = &name
             && users
@@ -76,8 +77,8 @@ fn role(table: &Keys<'_>) -> Option<Role> {
     let At { value, place } = table.needed("role", "\"operate\"")?;
     let role = Role::ALL.into_iter().find(|role| role.word() == value);
     if role.is_none() {
-        let wrong = Wrong::Choice {
-            key: "role",
+        let wrong = Amiss::Choice {
+            key: "role".to_owned(),
             given: value,
             known: ROLES.to_owned(),
         };

@@ -3,24 +3,9 @@
 //! Owns the words. Must not know of what they tell.
 
 unoclp_words::messages! {
-    no_toml()
-        "this is not TOML; check quotes, commas and brackets, and whether a key appears twice"
-        "isto não é TOML; confira aspas, vírgulas e colchetes, e se uma chave aparece duas vezes";
-    no_key(key, known)
-        "there is no key `{key}` here; there is {known}"
-        "não existe aqui a chave `{key}`; existe {known}";
-    missing(key, example)
-        "the key `{key}` is missing; write `{key} = {example}`"
-        "falta a chave `{key}`; escreva `{key} = {example}`";
-    kind(key, example)
-        "`{key}` takes another kind of value; write `{key} = {example}`"
-        "`{key}` pede outro tipo de valor; escreva `{key} = {example}`";
     range(key, from, to)
         "`{key}` is out of its range; give a number from {from} to {to}"
         "`{key}` está fora da faixa; dê um número de {from} a {to}";
-    choice(key, given, known)
-        "`{key}` cannot be {given}; give {known}"
-        "`{key}` não pode ser {given}; dê {known}";
     no_address(given)
         "{given} is not an address with a port; write \"127.0.0.1:8420\", or \"0.0.0.0:8420\" for the network"
         "{given} não é um endereço com porta; escreva \"127.0.0.1:8420\", ou \"0.0.0.0:8420\" para a rede";

@@ -45,10 +45,7 @@ fn the_steps_of_the_page_make_one_site() {
 fn each_key_has_its_row() {
     let known = "[other]\n[mqtt]\nx = 1\nsparkplug = { x = 1 }\n[[line]]\nx = 1\n[http]\nx = 1\ntls = { x = 1 }\n[modbus]\nx = 1\n[[line.board]]\nx = 1\n[history]\nx = 1\n[journal]\nx = 1\n[[alarm]]\nx = 1\ntext = { x = 1 }\n[[user]]\nx = 1\n";
     let told = read(known, &Folder).unwrap_err();
-    let told: Vec<String> = told
-        .iter()
-        .map(|wrong| wrong.wrong.text(Lang::En))
-        .collect();
+    let told: Vec<String> = told.iter().map(|wrong| wrong.reason(Lang::En)).collect();
     let keys: Vec<&str> = told
         .iter()
         .filter_map(|told| told.split_once("there is `"))

@@ -143,10 +143,7 @@ pub struct Constants {
     pub words: Vec<[u8; 2]>,
 }
 
-/// SplitMix64 by a single step.
+/// The first random bits of this seed.
 pub fn mix(mut n: u64) -> u64 {
-    n = n.wrapping_add(0x9E37_79B9_7F4A_7C15);
-    n = (n ^ n >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    n = (n ^ n >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-    n ^ n >> 31
+    unoclp_random::bits(&mut n)
 }

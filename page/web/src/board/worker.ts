@@ -1,7 +1,6 @@
 // The worker of the page's board: the simulated UNO, and the machine that is wired to it. Both have one time.
 
 import { type Command, type Event, type Scope, serve } from "unoclp-uno";
-import { bitsOf } from "../tools/bits";
 import { Refusal, Tools } from "../tools/tools";
 import type { ForMachine, OfMachine } from "./messages";
 import { Wired } from "./wired";
@@ -15,7 +14,7 @@ async function answer(id: number, what: string, request: unknown): Promise<void>
     if (!tools) return told({});
     const rust = await tools;
     const ok = rust.ask(what as "machine", request as never);
-    if (what === "machine") session.wire(new Wired(rust, bitsOf(ok.uses[0]), () => session.wire(null)));
+    if (what === "machine") session.wire(new Wired(rust, ok, () => session.wire(null)));
     if (what === "machineClose") session.wire(null);
     told({ ok });
   } catch (error) {

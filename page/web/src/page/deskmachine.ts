@@ -2,7 +2,7 @@
 // passes from one reading to the next. It knows nothing of how a machine is drawn.
 
 import type { Asks, Both, MachineFacts, Order, Seen } from "../tools/answers";
-import { bitsOf } from "../tools/bits";
+import { bitsOf, hasBit } from "../tools/bits";
 import { Refusal, type Tools } from "../tools/tools";
 import { both } from "../words/words";
 import type { MachineAsk, Machines } from "./machines";
@@ -88,19 +88,20 @@ export class DeskMachine implements Machines {
     this.last = seen.at;
     if (passed > 0) this.interval.value = Math.round(((this.interval.value ?? passed) * (READINGS - 1) + passed) / READINGS);
     const levels = bitsOf(seen.outputs);
-    let closed: readonly number[] = [];
+    let closed: number | null = null;
     try {
       for (let left = passed > AWAY ? 0 : passed, first = true; first || left > 0; left -= STEP, first = false) {
-        closed = this.tools().ask("machineStep", { levels, shares: [], ms: Math.round(Math.min(left, STEP)) }).inputs;
+        closed = this.tools().step(levels, [], Math.round(Math.min(left, STEP)));
       }
-    } catch (error) {
-      this.fail(error instanceof Refusal ? error.both : both("machineDied"));
-      return;
+    } catch {
+      // It is told as one that is gone.
+      closed = null;
     }
+    if (closed === null) return this.fail(both("machineDied"));
     // A board without a program that runs takes no forcing, nor does one that is given a program.
     if ((seen.state !== "RUN" && seen.state !== "STOP") || this.board.upload.value !== null) return;
     for (const number of this.inputs) {
-      const is = closed.includes(number);
+      const is = hasBit(closed, number);
       if (forcedTo(seen, `I${number}`) !== is && !this.ordered.has(number)) void this.force(number, is);
     }
   }

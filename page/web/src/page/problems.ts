@@ -9,7 +9,11 @@ import { h } from "./dom";
 interface Go {
   text(line: number, column: number): void;
   drawing(): void;
+  adapt(): void;
 }
+
+/** That the board lacks a point, in a text whose points can have others. */
+const NO_SUCH_POINT: readonly string[] = ["ST-138", "IL-41"];
 
 /** Lists them again; `lacks` is how much of the drawing is to be completed. */
 export function showProblems(panel: HTMLElement, checked: Checked, lacks: number, go: Go): void {
@@ -21,9 +25,11 @@ export function showProblems(panel: HTMLElement, checked: Checked, lacks: number
       h("span", { class: "note" }, say("lineAt", { line: problem.line })),
       h("span", {}, told(problem.message)),
       told(problem.help) ? h("span", { class: "help" }, told(problem.help)) : null)));
+  const lacking = checked.problems.some(({ number }) => NO_SUCH_POINT.includes(number));
+  const adapt = lacking ? h("button", { type: "button", id: "adapt", click: () => go.adapt() }, say("adaptPoints")) : null;
   const more = checked.more > 0 ? h("p", { class: "note" }, say("problemMore", { n: checked.more })) : null;
   const none = items.length + drawing.length === 0 ? h("p", { class: "empty" }, say("problemNone")) : null;
-  panel.replaceChildren(...[h("ul", { class: "problems" }, ...drawing, ...items), more, none].filter((part) => part !== null));
+  panel.replaceChildren(...[h("ul", { class: "problems" }, ...drawing, ...items), adapt, more, none].filter((part) => part !== null));
 }
 
 /** Why what is written and drawn does not run. */

@@ -4,6 +4,7 @@ import type { Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import type { Key } from "../words/table";
 import { say, speak } from "../words/words";
+import { asked } from "./asked";
 import type { Bench } from "./bench";
 import { type Looked, type ProgramDocument } from "./document";
 import { byId, h } from "./dom";
@@ -14,6 +15,7 @@ import { force, liveOf } from "./forcing";
 import { keep, kept } from "./kept";
 import { LadderView } from "./ladder";
 import { later } from "./later";
+import { note } from "./notes";
 import { countOf, showProblems } from "./problems";
 import type { Tabs } from "./tabs";
 
@@ -107,7 +109,11 @@ export class ProgramView {
     const { text, checked } = looked;
     this.editor.tell(text.text, checked);
     const lacks = this.program.lacks.value;
-    showProblems(this.problems, checked, lacks, { text: (line, column) => this.editor.go(line, column), drawing: () => this.goDraw() });
+    showProblems(this.problems, checked, lacks, {
+      text: (line, column) => this.editor.go(line, column),
+      drawing: () => this.goDraw(),
+      adapt: () => void this.adapt(text),
+    });
     this.count.textContent = countOf(checked, lacks);
     this.count.classList.toggle("bad", checked.program === null || lacks > 0);
     this.count.classList.toggle("good", checked.problems.length === 0 && lacks === 0);
@@ -119,6 +125,15 @@ export class ProgramView {
     ladderNote.textContent = say(this.drawn === null ? "noLadder" : "ladderOld");
     if (program) void this.draw(looked);
     this.live();
+  }
+
+  /** Gives the points of another PLC a place on this board, which can be undone. */
+  private async adapt(text: Text): Promise<void> {
+    await asked(this.tools.ask("adapt", text), (adapted) => {
+      if (adapted === null) return;
+      this.open({ ...text, text: adapted.text });
+      if (adapted.left.length > 0) note(say("adaptLeft", { points: adapted.left.join(", ") }));
+    });
   }
 
   private async draw({ text }: Looked): Promise<void> {

@@ -415,6 +415,9 @@ export interface Asks {
   check: { ask: Text & { board?: string }; answer: Checked };
   ladder: { ask: Text & { width: number; speak: Speak }; answer: { readonly svg: string } };
   list: { ask: Text & { as: "ladder" | "il" | "st" | "numeric" | "svg" | "xml"; width: number; speak: Speak }; answer: string };
+  /** A text of another PLC with free points in the place of those that its board lacks, and those that found none; null in a
+   * language whose points are names of its own. */
+  adapt: { ask: Text; answer: { text: string; left: readonly string[] } | null };
   /** The ladder on pages of paper. */
   pages: { ask: Text & { letter: boolean; width: number; speak: Speak }; answer: readonly string[] };
   sheet: { ask: { scenario: string; title: string }; answer: Sheet };
@@ -436,7 +439,6 @@ export interface Asks {
   /** Somebody forces a point of the board: a step of a search. */
   machineForced: { ask: object; answer: null };
   machineName: { ask: { part: number; fault: string }; answer: Searched | null };
-  machineStep: { ask: { levels: number; shares: readonly number[]; ms: number }; answer: { readonly inputs: readonly number[]; readonly analogue: readonly (readonly [number, number])[] } };
   machineLook: { ask: object; answer: MachineLook };
   machineHand: { ask: { part: number; value: number; to: number }; answer: null };
   machineFault: { ask: { part: number; fault: string; is: boolean }; answer: null };

@@ -8,7 +8,17 @@ interface Exports {
   unoclp_room(bytes: number): number;
   unoclp_call(): number;
   unoclp_answer(): number;
+  /** Of the module that has everything alone. */
+  unoclp_shares(): number;
+  unoclp_readings(): number;
+  unoclp_step(levels: number, ms: number): number;
 }
+
+/** The places of `Wires` in Rust. */
+const READINGS = 100;
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
 
 /** What Rust says is wrong with a request. */
 export class Refusal extends Error {
@@ -43,9 +53,29 @@ export class Tools {
 
   /** Asks, or throws a `Refusal`, `NeedsMore`, or `Died`: what a module says after it has broken down is worth nothing. */
   ask<K extends keyof Asks>(what: K, request: Asks[K]["ask"]): Asks[K]["answer"] {
+    return this.alive(() => this.call(what, request));
+  }
+
+  /** The machine that is open goes on for so many ms, at most 250, with these outputs: bit n is output n + 1; of each, what
+   * share of 255 it was high. Gives the inputs that are 1 as bits too, or null where none is open; throws `Died`. */
+  step(levels: number, shares: readonly number[], ms: number): number | null {
+    return this.alive(() => {
+      // Number 0 is no output.
+      new Uint8Array(this.rust.memory.buffer, this.rust.unoclp_shares() + 1, shares.length).set(shares);
+      const closed = this.rust.unoclp_step(levels, ms);
+      return closed < 0 ? null : closed;
+    });
+  }
+
+  /** What a machine has set A 00 and the analogue inputs after it to, 0 to 1023; until the next call. */
+  readings(): Uint16Array {
+    return new Uint16Array(this.rust.memory.buffer, this.rust.unoclp_readings(), READINGS);
+  }
+
+  private alive<T>(work: () => T): T {
     if (this.dead) throw new Died("the module has broken down");
     try {
-      return this.call(what, request);
+      return work();
     } catch (error) {
       if (error instanceof Refusal || error instanceof NeedsMore) throw error;
       this.dead = true;
@@ -54,13 +84,13 @@ export class Tools {
   }
 
   private call<K extends keyof Asks>(what: K, request: Asks[K]["ask"]): Asks[K]["answer"] {
-    const text = new TextEncoder().encode(JSON.stringify({ ask: what, ...request }));
+    const text = encoder.encode(JSON.stringify({ ask: what, ...request }));
     const room = this.rust.unoclp_room(text.length);
     new Uint8Array(this.rust.memory.buffer, room, text.length).set(text);
     const length = this.rust.unoclp_call();
     // The memory may have grown meanwhile.
     const answer = new Uint8Array(this.rust.memory.buffer, this.rust.unoclp_answer(), length);
-    const told = JSON.parse(new TextDecoder().decode(answer)) as { ok?: unknown; error?: Wrong; more?: true };
+    const told = JSON.parse(decoder.decode(answer)) as { ok?: unknown; error?: Wrong; more?: true };
     if (told.more) throw new NeedsMore();
     if (told.error) throw new Refusal(told.error);
     return told.ok as Asks[K]["answer"];

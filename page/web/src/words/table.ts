@@ -59,6 +59,8 @@ export const TABLE = {
   languageXml: ["PLCopen XML", "PLCopen XML"],
   languageNumeric: ["Numeric code", "Código numérico"],
   problemNone: ["No problems", "Nenhum problema"],
+  adaptPoints: ["Give the missing points a place", "Dar um lugar aos pontos que faltam"],
+  adaptLeft: ["There is no free point left for {points}.", "Não há ponto livre para {points}."],
   problemOne: ["1 problem", "1 problema"],
   problemMany: ["{n} problems", "{n} problemas"],
   drawingLacks: ["Drawing: {n} still to complete", "Desenho: falta completar {n}"],

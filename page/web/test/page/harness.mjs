@@ -26,12 +26,13 @@ function browserPath() {
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
-/** What axe-core finds, in short; of some rules alone, where there are some. @param {import("playwright-core").Page} page
+/** What axe-core finds, in short; of some rules alone, where there are some. All includes that what is named is named as it is
+ * shown, which axe-core calls an experiment. @param {import("playwright-core").Page} page
  * @param {string[]} rules */
 export async function findings(page, rules = []) {
   if (!(await page.evaluate("'axe' in window"))) await page.evaluate(axe);
   return page.evaluate(async (rules) => {
-    const only = rules.length > 0 ? { runOnly: rules } : {};
+    const only = rules.length > 0 ? { runOnly: rules } : { rules: { "label-content-name-mismatch": { enabled: true } } };
     // @ts-expect-error axe-core has put itself there.
     const { violations } = await window.axe.run(document, { resultTypes: ["violations"], ...only });
     return violations.map((/** @type {any} */ one) => `${one.id}: ${one.nodes.map((/** @type {any} */ node) => `${node.html.slice(0, 140)} ${node.failureSummary}`).join(" | ")}`);

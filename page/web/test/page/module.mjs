@@ -5,17 +5,22 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { built } from "../../serve.mjs";
 
-/** A module, and how it is asked: bytes in, text out.
+/** A module, and how it is asked: bytes in, text out; and how its machine goes on.
  * @param {string} file */
 export async function load(file) {
   const { instance } = await WebAssembly.instantiate(readFileSync(join(built, file)), {});
   const rust = /** @type {any} */ (instance.exports);
-  return (/** @type {Uint8Array} */ request) => {
+  const call = (/** @type {Uint8Array} */ request) => {
     const room = rust.unoclp_room(request.length);
     new Uint8Array(rust.memory.buffer, room, request.length).set(request);
     const length = rust.unoclp_call();
     return new TextDecoder("utf-8", { fatal: true }).decode(new Uint8Array(rust.memory.buffer, rust.unoclp_answer(), length));
   };
+  const step = (/** @type {number} */ levels, /** @type {number[]} */ shares, /** @type {number} */ ms) => {
+    new Uint8Array(rust.memory.buffer, rust.unoclp_shares() + 1, shares.length).set(shares);
+    return /** @type {number} */ (rust.unoclp_step(levels, ms));
+  };
+  return Object.assign(call, { step });
 }
 
 /** @typedef {Awaited<ReturnType<typeof load>>} Call */

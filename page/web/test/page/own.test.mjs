@@ -147,12 +147,13 @@ const part = (more) => `${HEAD}[[part]]\nname = "x"\n${more}\n`;
 const BAD = [
   ["a part called <script>", 'title = "t"\n[[part]]\nname = "<script>alert(1)</script>"\nkind = "button"\n', [/cannot be the name of a part/, /não é um nome de elemento/]],
   ["no such kind", part('kind = "rocket"'), [/bad\.toml:.*`kind` cannot be/, /bad\.toml:.*`kind` não pode ser/]],
-  ["an input that two switch", part('kind = "button"\nto = "I1"'), [/bad\.toml:/, /bad\.toml:/]],
-  ["an input that the board lacks", part('kind = "button"\nto = "I40"'), [/bad\.toml:/, /bad\.toml:/]],
+  ["an input that two switch", part('kind = "button"\nto = "I1"'), [/bad\.toml:9: b also sets I1/, /bad\.toml:9: b também comanda I1/]],
+  ["an input that the board lacks", part('kind = "button"\nto = "I40"'), [/has no I40; it has I1–I8/, /não tem I40; tem I1–I8/]],
+  ["a part that is not there", part('kind = "lamp"\nby = "ghost.lit"'), [/there is no part ghost; there is b, x/, /não existe o elemento ghost; existe b, x/]],
   ["a unit that is none", part('kind = "tank"\nholds = "5 bananas"'), [/a number with a unit/, /um número com unidade/]],
-  ["a circle", `${HEAD}${["x", "y"].map((name, at) => `[[part]]\nname = "${name}"\nkind = "lamp"\nby = "${["y", "x"][at]}.lit"\n`).join("")}`, [/bad\.toml:/, /bad\.toml:/]],
+  ["a circle", `${HEAD}${["x", "y"].map((name, at) => `[[part]]\nname = "${name}"\nkind = "lamp"\nby = "${["y", "x"][at]}.lit"\n`).join("")}`, [/in a circle: x → y → x/, /em círculo: x → y → x/]],
   ["10,000 parts", `title = "t"\n${Array.from({ length: 10_000 }, (_, at) => `[[part]]\nname = "a${at}"\nkind = "lamp"\nby = "Q1"\n`).join("")}`, [/more than 100/, /mais de 100/]],
-  ["a rule that is no condition", `${HEAD}[[never]]\nwhen = "b.pressed := 1"\n`, [/bad\.toml:/, /bad\.toml:/]],
+  ["a rule that is no condition", `${HEAD}[[never]]\nwhen = "b.pressed := 1"\n`, [/not a condition in Structured Text/, /não é uma condição de Texto Estruturado/]],
   ["HTML that says parts", "<html><script>alert(1)</script>\n[[part]]\n</html>\n", [/not TOML/, /não é TOML/]],
 ];
 

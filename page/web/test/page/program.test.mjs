@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, lamp, run, state, type } from "./harness.mjs";
+import { Lab, keptText, lamp, run, state, type } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -28,6 +28,25 @@ test("a problem is underlined, listed, and led to", async () => {
   await page.click("#tab-trend");
   await page.click("#run");
   assert.equal(await page.getAttribute("#tab-problems", "aria-selected"), "true");
+  await page.context().close();
+});
+
+test("the points of another PLC get a place, and the text comes back", async () => {
+  const page = await lab.open();
+  const other = "VAR a AT %QX1.3 : BOOL; END_VAR\na := %IX2.0;\n";
+  await type(page, other, "other.st");
+  await page.locator("#problem-count.bad").waitFor();
+  await page.click("#problem-count");
+  await page.click("#adapt");
+  await page.locator("#problem-count.good").waitFor();
+  assert.match(await keptText(page), /%QX1\.3 -> %QX0\.0[^]*a AT %QX0\.0[^]*a := %IX0\.0;/);
+  await page.locator("#notes button", { hasText: "Undo" }).click();
+  await page.locator("#problem-count.bad").waitFor();
+  assert.equal(await keptText(page), other);
+  // What finds none is told.
+  await type(page, Array.from({ length: 5 }, (_, bit) => `%QX1.${bit} := TRUE;`).join("\n"));
+  await page.locator("#adapt").click();
+  await page.locator("#notes", { hasText: "no free point left for %QX1.4" }).waitFor();
   await page.context().close();
 });
 

@@ -54,7 +54,7 @@ function mischief(call, machine, turns) {
     const shares = Array.from({ length: 4 }, () => below(2) * 255);
     // Now and then nothing is driven, and for long.
     const levels = below(4) === 0 ? 0 : below(16);
-    for (let times = below(12) === 0 ? 60 : 1 + below(8); times > 0; times--) ask(call, { ask: "machineStep", levels, shares, ms: 250 });
+    for (let times = below(12) === 0 ? 60 : 1 + below(8); times > 0; times--) call.step(levels, shares, 250);
     for (const [rule] of ask(call, { ask: "machineLook" }).ok.broken) broken.add(rule);
   }
   return ok.rules.slice(0, nevers).map((/** @type {{en: string}} */ rule) => rule.en).filter((/** @type {string} */ _, /** @type {number} */ rule) => !broken.has(rule));

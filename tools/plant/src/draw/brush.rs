@@ -1,8 +1,9 @@
 //! What a symbol is drawn with.
 
-use super::picture::{Attribute, Element, Item};
+use super::picture::{Attribute, Element, Id, Item, Value};
 use crate::plant::Part;
 use crate::run::Run;
+use std::borrow::Cow;
 use unoclp_words::Lang;
 
 /// Draws a part at its place; what changes is named by the part and by what it is.
@@ -12,6 +13,8 @@ pub(crate) struct Brush<'a> {
     pub part: &'a Part,
     pub lang: Lang,
     pub(super) items: &'a mut Vec<Item>,
+    /// What never changes is left out.
+    pub(super) live_only: bool,
     /// What the next element is, if it changes.
     pub(super) live: Option<&'static str>,
     /// Counts elements of the same name.
@@ -50,7 +53,18 @@ impl Brush<'_> {
         self
     }
 
-    fn add(&mut self, tag: &'static str, class: &str, attributes: Vec<Attribute>, text: String) {
+    /// Whether the next element is left out.
+    fn skips(&self) -> bool {
+        self.live_only && self.live.is_none()
+    }
+
+    fn add(
+        &mut self,
+        tag: &'static str,
+        class: impl Into<Cow<'static, str>>,
+        attributes: &[Attribute],
+        text: String,
+    ) {
         let element = self.element(tag, class, attributes, text);
         self.items.push(Item::Leaf(element));
     }
@@ -58,17 +72,18 @@ impl Brush<'_> {
     fn element(
         &mut self,
         tag: &'static str,
-        class: &str,
-        mut attributes: Vec<Attribute>,
+        class: impl Into<Cow<'static, str>>,
+        more: &[Attribute],
         text: String,
     ) -> Element {
+        let class = class.into();
+        let mut attributes = Vec::with_capacity(1 + more.len());
         if !class.is_empty() {
-            attributes.insert(0, ("class", class.to_owned()));
+            attributes.push(("class", Value::Text(class)));
         }
-        let id = self.live.take().map(|name| match self.twin {
-            0 => format!("{}-{name}", self.part.name),
-            twin => format!("{}-{name}-{twin}", self.part.name),
-        });
+        attributes.extend_from_slice(more);
+        let (part, twin) = (self.number, self.twin);
+        let id = self.live.take().map(|what| Id::Of { part, what, twin });
         Element {
             tag,
             id,
@@ -78,78 +93,130 @@ impl Brush<'_> {
     }
 
     /// A group that is moved, turned or hidden as a whole.
-    pub fn group(&mut self, attributes: Vec<Attribute>, draw: impl FnOnce(&mut Self)) {
+    pub fn group(&mut self, attributes: &[Attribute], draw: impl FnOnce(&mut Self)) {
+        if self.skips() {
+            return draw(self);
+        }
         let element = self.element("g", "", attributes, String::new());
         self.items.push(Item::Open(element));
         draw(self);
-        self.items.push(Item::Close);
+        if !self.live_only {
+            self.items.push(Item::Close);
+        }
     }
 
     /// A group that is moved by so much.
     pub fn moved(&mut self, x: i32, y: i32, draw: impl FnOnce(&mut Self)) {
-        self.group(vec![("transform", format!("translate({x},{y})"))], draw);
+        self.group(&[("transform", Value::Moved(x, y))], draw);
     }
 
     /// A group that is turned by so many degrees about a point.
-    pub fn turned(&mut self, degrees: i32, [x, y]: [i32; 2], draw: impl FnOnce(&mut Self)) {
-        let turn = format!("rotate({degrees},{x},{y})");
-        self.group(vec![("transform", turn)], draw);
+    pub fn turned(&mut self, degrees: i32, about: [i32; 2], draw: impl FnOnce(&mut Self)) {
+        self.group(&[("transform", Value::Turned(degrees, about))], draw);
     }
 
     /// A group that is there or not.
     pub fn shown(&mut self, is: bool, draw: impl FnOnce(&mut Self)) {
-        let display = if is { "inline" } else { "none" };
-        self.group(vec![("display", display.to_owned())], draw);
+        self.group(&[display(is)], draw);
     }
 
-    pub fn rect(&mut self, [x, y, w, h]: [i32; 4], round: i32, class: &str) {
-        let of = |name: &'static str, value: i32| (name, value.to_string());
-        let mut all = vec![
-            of("x", x),
-            of("y", y),
-            of("width", w.max(0)),
-            of("height", h.max(0)),
-        ];
-        if round > 0 {
-            all.push(of("rx", round));
+    pub fn rect(
+        &mut self,
+        [x, y, w, h]: [i32; 4],
+        round: i32,
+        class: impl Into<Cow<'static, str>>,
+    ) {
+        if self.skips() {
+            return;
         }
-        self.add("rect", class, all, String::new());
-    }
-
-    pub fn circle(&mut self, [x, y]: [i32; 2], r: i32, class: &str) {
-        let of = |name: &'static str, value: i32| (name, value.to_string());
+        let all = [
+            ("x", Value::Number(x)),
+            ("y", Value::Number(y)),
+            ("width", Value::Number(w.max(0))),
+            ("height", Value::Number(h.max(0))),
+            ("rx", Value::Number(round)),
+        ];
+        let count = if round > 0 { 5 } else { 4 };
         self.add(
-            "circle",
+            "rect",
             class,
-            vec![of("cx", x), of("cy", y), of("r", r)],
+            all.get(..count).unwrap_or(&all),
             String::new(),
         );
     }
 
-    pub fn ellipse(&mut self, [x, y]: [i32; 2], [rx, ry]: [i32; 2], class: &str) {
-        let of = |name: &'static str, value: i32| (name, value.to_string());
-        let all = vec![of("cx", x), of("cy", y), of("rx", rx), of("ry", ry)];
-        self.add("ellipse", class, all, String::new());
+    pub fn circle(&mut self, [x, y]: [i32; 2], r: i32, class: impl Into<Cow<'static, str>>) {
+        if self.skips() {
+            return;
+        }
+        let all = [
+            ("cx", Value::Number(x)),
+            ("cy", Value::Number(y)),
+            ("r", Value::Number(r)),
+        ];
+        self.add("circle", class, &all, String::new());
     }
 
-    pub fn path(&mut self, d: &str, class: &str) {
-        self.add("path", class, vec![("d", d.to_owned())], String::new());
+    pub fn ellipse(
+        &mut self,
+        [x, y]: [i32; 2],
+        [rx, ry]: [i32; 2],
+        class: impl Into<Cow<'static, str>>,
+    ) {
+        if self.skips() {
+            return;
+        }
+        let all = [
+            ("cx", Value::Number(x)),
+            ("cy", Value::Number(y)),
+            ("rx", Value::Number(rx)),
+            ("ry", Value::Number(ry)),
+        ];
+        self.add("ellipse", class, &all, String::new());
     }
 
-    pub fn line(&mut self, [x1, y1]: [i32; 2], [x2, y2]: [i32; 2], class: &str) {
-        self.path(&format!("M{x1} {y1}L{x2} {y2}"), class);
+    pub fn path(&mut self, d: impl Into<Cow<'static, str>>, class: impl Into<Cow<'static, str>>) {
+        if self.skips() {
+            return;
+        }
+        let all = [("d", Value::Text(d.into()))];
+        self.add("path", class, &all, String::new());
     }
 
-    pub fn text(&mut self, [x, y]: [i32; 2], class: &str, text: impl Into<String>) {
-        let all = vec![("x", x.to_string()), ("y", y.to_string())];
-        self.add("text", class, all, text.into());
+    pub fn line(&mut self, from: [i32; 2], to: [i32; 2], class: impl Into<Cow<'static, str>>) {
+        if self.skips() {
+            return;
+        }
+        let all = [("d", Value::Line(from, to))];
+        self.add("path", class, &all, String::new());
+    }
+
+    pub fn text(
+        &mut self,
+        [x, y]: [i32; 2],
+        class: impl Into<Cow<'static, str>>,
+        text: impl Into<String>,
+    ) {
+        if self.skips() {
+            return;
+        }
+        let all = [("x", Value::Number(x)), ("y", Value::Number(y))];
+        self.add("text", class, &all, text.into());
     }
 
     /// The label below or beside the symbol.
     pub fn name(&mut self, at: [i32; 2]) {
+        if self.skips() {
+            return;
+        }
         let label = self.label();
         self.text(at, "label", label);
     }
+}
+
+/// Whether something is there.
+pub(super) fn display(is: bool) -> Attribute {
+    ("display", if is { "inline" } else { "none" }.into())
 }
 
 /// The class of a colour, lit or not.

@@ -17,7 +17,7 @@ pub(crate) fn fuse(b: &mut Brush<'_>) {
         } else {
             format!("M{x} 0V80")
         };
-        b.live("wire").path(&way, class);
+        b.live("wire").path(way, class);
     }
     b.twin = 0;
     b.live("blown").shown(blown, |b| {
@@ -32,21 +32,21 @@ pub(crate) fn contactor(b: &mut Brush<'_>) {
     for (twin, x) in WIRES.into_iter().enumerate() {
         b.twin = twin;
         b.live("ends").path(
-            &format!("M{x} 0V22M{x} 54V80"),
+            format!("M{x} 0V22M{x} 54V80"),
             if closed { "hot" } else { "wire" },
         );
-        b.path(&format!("M{} 22a4 4 0 0 1 8 0", x - 4), "wire");
+        b.path(format!("M{} 22a4 4 0 0 1 8 0", x - 4), "wire");
         let way = if closed {
             format!("M{x} 54L{x} 22")
         } else {
             format!("M{x} 54L{} 24", x - 10)
         };
         b.live("blade")
-            .path(&way, if closed { "hot" } else { "wire" });
+            .path(way, if closed { "hot" } else { "wire" });
     }
     b.twin = 0;
     let x = if closed { 14 } else { 9 };
-    b.live("link").path(&format!("M{x} 38H62"), "dash");
+    b.live("link").path(format!("M{x} 38H62"), "dash");
     b.live("coil")
         .rect([62, 28, 18, 22], 2, if coil { "red-on" } else { "body" });
     let label = b.label();
@@ -69,7 +69,7 @@ pub(crate) fn overload(b: &mut Brush<'_>) {
     for (twin, x) in WIRES.into_iter().enumerate() {
         b.twin = twin;
         b.live("wire")
-            .path(&format!("M{x} 0V28H{}V40H{x}V80", x + 8), class);
+            .path(format!("M{x} 0V28H{}V40H{x}V80", x + 8), class);
     }
     b.twin = 0;
     b.live("state")
@@ -84,7 +84,7 @@ pub(crate) fn motor(b: &mut Brush<'_>) {
     for (twin, (x, end)) in WIRES.into_iter().zip([26, 18, 26]).enumerate() {
         b.twin = twin;
         b.live("wire")
-            .path(&format!("M{x} 0V{end}"), if live { "hot" } else { "wire" });
+            .path(format!("M{x} 0V{end}"), if live { "hot" } else { "wire" });
     }
     b.twin = 0;
     b.circle([30, 52], 34, "body");

@@ -68,7 +68,7 @@ pub(crate) fn stirrer(b: &mut Brush<'_>) {
     b.rect([18, 6, 4, 116], 0, "metal");
     let wide = (18 * (90 - (angle % 180 - 90).abs()) / 90).max(4);
     b.live("blades").path(
-        &format!("M20 112l-{wide} -6v16ZM20 112l{wide} 6v-16Z"),
+        format!("M20 112l-{wide} -6v16ZM20 112l{wide} 6v-16Z"),
         "steel",
     );
 }

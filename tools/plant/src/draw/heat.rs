@@ -2,6 +2,7 @@
 
 use super::brush::Brush;
 use super::fluid::instrument;
+use super::picture::Value;
 use crate::parts::heat::{fan, heater, oven, thermometer};
 use crate::unit::Unit;
 
@@ -10,12 +11,12 @@ pub(crate) fn oven(b: &mut Brush<'_>) {
     let share = (temperature / 3000).clamp(0, 100);
     b.rect([0, 0, 140, 112], 8, "dark");
     b.rect([12, 12, 116, 74], 4, "cool");
-    let glow = vec![
-        ("class", "heat".to_owned()),
-        ("opacity", format!("0.{:02}", share.min(99))),
+    let glow = [
+        ("class", "heat".into()),
+        ("opacity", Value::Hundredths(share.min(99))),
     ];
     b.live("glow")
-        .group(glow, |b| b.rect([12, 12, 116, 74], 4, ""));
+        .group(&glow, |b| b.rect([12, 12, 116, 74], 4, ""));
     let shown = Unit::MilliC.shown(i64::from(temperature / 100 * 100));
     b.live("temperature").text([70, 54], "title mid", shown);
     b.rect([40, 94, 60, 8], 4, "metal");

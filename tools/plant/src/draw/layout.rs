@@ -1,10 +1,10 @@
 //! Where parts stand: each at its place, and what has none on the panel below.
 
 use super::brush::Brush;
-use super::picture::{Element, Item, Picture};
+use super::picture::{Attribute, Element, Id, Item, Live, Picture, Value};
 use super::symbols;
 use crate::kind::Kind;
-use crate::plant::Decoration;
+use crate::plant::{Decoration, Plant};
 use crate::run::Run;
 use crate::{read, words};
 use unoclp_core::Board;
@@ -19,13 +19,8 @@ const GAP: i32 = 18;
 /// The least width of a picture, for its title.
 const LEAST: i32 = 480;
 
-fn leaf(
-    tag: &'static str,
-    class: &str,
-    attributes: Vec<(&'static str, String)>,
-    text: &str,
-) -> Item {
-    let mut all = vec![("class", class.to_owned())];
+fn leaf(tag: &'static str, class: &str, attributes: Vec<Attribute>, text: &str) -> Item {
+    let mut all = vec![("class", Value::Text(class.to_owned().into()))];
     all.extend(attributes);
     Item::Leaf(Element {
         tag,
@@ -36,19 +31,18 @@ fn leaf(
 }
 
 fn rect([x, y, w, h]: [i32; 4], round: i32, class: &str) -> Item {
-    let of = |name: &'static str, value: i32| (name, value.to_string());
     let all = vec![
-        of("x", x),
-        of("y", y),
-        of("width", w),
-        of("height", h),
-        of("rx", round),
+        ("x", Value::Number(x)),
+        ("y", Value::Number(y)),
+        ("width", Value::Number(w)),
+        ("height", Value::Number(h)),
+        ("rx", Value::Number(round)),
     ];
     leaf("rect", class, all, "")
 }
 
 fn text([x, y]: [i32; 2], class: &str, words: &str) -> Item {
-    let all = vec![("x", x.to_string()), ("y", y.to_string())];
+    let all = vec![("x", Value::Number(x)), ("y", Value::Number(y))];
     leaf("text", class, all, words)
 }
 
@@ -80,17 +74,14 @@ pub fn picture(run: &Run<'_>, lang: Lang) -> Picture {
 
     let mut items = vec![rect([0, 0, width, height], 0, "paper")];
     items.push(text([MARGIN, 34], "title", plant.title.text(lang)));
-    let seconds = format!("{}.{} s", run.now() / 1000, run.now() % 1000 / 100);
-    items.push(Item::Leaf(Element {
-        tag: "text",
-        id: Some("time".to_owned()),
-        attributes: vec![
-            ("class", "time".to_owned()),
-            ("x", (width - MARGIN).to_string()),
-            ("y", "34".to_owned()),
+    items.push(time(
+        run,
+        vec![
+            ("class", "time".into()),
+            ("x", Value::Number(width - MARGIN)),
+            ("y", Value::Number(34)),
         ],
-        text: seconds,
-    }));
+    ));
     items.push(open(MARGIN, HEAD));
     for (number, drawn) in plant.decorations.iter().enumerate() {
         decoration(&mut items, run, drawn, number, lang);
@@ -115,7 +106,37 @@ pub fn picture(run: &Run<'_>, lang: Lang) -> Picture {
         height,
         title: plant.title.text(lang).to_owned(),
         items,
+        names: names(plant),
     }
+}
+
+/// What changes of a moment of a plant: less than all of it, and quicker.
+pub fn live(run: &Run<'_>, lang: Lang) -> Live {
+    let plant = run.plant();
+    let mut items = vec![time(run, Vec::new())];
+    for (number, drawn) in plant.decorations.iter().enumerate() {
+        if let Some(class) = flowing(run, drawn) {
+            items.push(line(class, number, Vec::new()));
+        }
+    }
+    for number in 0..plant.parts.len() {
+        symbol_of(&mut items, run, number, lang, true);
+    }
+    Live { items }
+}
+
+/// How long it has run.
+fn time(run: &Run<'_>, attributes: Vec<Attribute>) -> Item {
+    Item::Leaf(Element {
+        tag: "text",
+        id: Some(Id::Time),
+        attributes,
+        text: format!("{}.{} s", run.now() / 1000, run.now() % 1000 / 100),
+    })
+}
+
+fn names(plant: &Plant) -> Vec<String> {
+    plant.parts.iter().map(|part| part.name.clone()).collect()
 }
 
 /// The height of the panel, and where each of its parts stands on it.
@@ -141,7 +162,7 @@ fn open(x: i32, y: i32) -> Item {
     Item::Open(Element {
         tag: "g",
         id: None,
-        attributes: vec![("transform", format!("translate({x},{y})"))],
+        attributes: vec![("transform", Value::Moved(x, y))],
         text: String::new(),
     })
 }
@@ -154,61 +175,84 @@ fn draw(items: &mut Vec<Item>, run: &Run<'_>, number: usize, [x, y]: [i32; 2], l
         tag: "g",
         id: None,
         attributes: vec![
-            ("transform", format!("translate({x},{y})")),
-            ("data-part", part.name.clone()),
+            ("transform", Value::Moved(x, y)),
+            ("data-part", Value::Text(part.name.clone().into())),
         ],
         text: String::new(),
     }));
-    let mut brush = Brush {
-        run,
-        number,
-        part,
-        lang,
-        items,
-        live: None,
-        twin: 0,
-    };
-    if let Some(symbol) = symbols::of(part.kind) {
-        symbol(&mut brush);
-    }
+    symbol_of(items, run, number, lang, false);
     items.push(Item::Close);
 }
 
-fn decoration(items: &mut Vec<Item>, run: &Run<'_>, drawn: &Decoration, number: usize, lang: Lang) {
-    let carries = drawn
+/// The symbol of a part, or what changes of it.
+fn symbol_of(items: &mut Vec<Item>, run: &Run<'_>, number: usize, lang: Lang, live_only: bool) {
+    let Some(part) = run.plant().parts.get(number) else {
+        return;
+    };
+    if let Some(symbol) = symbols::of(part.kind) {
+        symbol(&mut Brush {
+            run,
+            number,
+            part,
+            lang,
+            items,
+            live_only,
+            live: None,
+            twin: 0,
+        });
+    }
+}
+
+/// What a line looks like that shows whether something flows; none: it shows nothing.
+fn flowing(run: &Run<'_>, drawn: &Decoration) -> Option<&'static str> {
+    let flows = drawn
         .carries
         .is_some_and(|(part, value)| run.value(part, value) != 0);
+    match (drawn.kind, flows) {
+        ("pipe", true) => Some("flow"),
+        ("pipe", false) => Some("pipe-in"),
+        ("wire", true) => Some("hot"),
+        ("wire", false) => Some("wire"),
+        _ => None,
+    }
+}
+
+/// A drawn line that changes.
+fn line(class: &'static str, number: usize, more: Vec<Attribute>) -> Item {
+    let mut attributes = vec![("class", class.into())];
+    attributes.extend(more);
+    Item::Leaf(Element {
+        tag: "path",
+        id: Some(Id::Drawn(number)),
+        attributes,
+        text: String::new(),
+    })
+}
+
+fn decoration(items: &mut Vec<Item>, run: &Run<'_>, drawn: &Decoration, number: usize, lang: Lang) {
     let points: Vec<String> = drawn
         .points
         .iter()
         .map(|[x, y]| format!("{x} {y}"))
         .collect();
-    let way = format!("M{}", points.join("L"));
-    let path = |class: &str, live: bool| {
-        Item::Leaf(Element {
-            tag: "path",
-            id: live.then(|| format!("drawn-{number}")),
-            attributes: vec![("class", class.to_owned()), ("d", way.clone())],
-            text: String::new(),
-        })
-    };
+    let way = || ("d", Value::Text(format!("M{}", points.join("L")).into()));
     match drawn.kind {
-        "pipe" => {
-            items.push(path("pipe", false));
-            items.push(path(if carries { "flow" } else { "pipe-in" }, true));
-        }
-        "wire" => items.push(path(if carries { "hot" } else { "wire" }, true)),
+        "pipe" => items.push(leaf("path", "pipe", vec![way()], "")),
+        "floor" => items.push(leaf("path", "floor", vec![way()], "")),
+        "wire" => {}
         "frame" => {
             if let [[x, y], [right, bottom], ..] = drawn.points.as_slice() {
                 items.push(rect([*x, *y, right - x, bottom - y], 8, "frame"));
             }
         }
-        "floor" => items.push(path("floor", false)),
         _ => {
             if let Some(at) = drawn.points.first() {
                 items.push(text(*at, "label", drawn.text.text(lang)));
             }
         }
+    }
+    if let Some(class) = flowing(run, drawn) {
+        items.push(line(class, number, vec![way()]));
     }
 }
 
@@ -229,5 +273,6 @@ pub fn symbol(kind: &Kind, lang: Lang) -> Option<Picture> {
         height,
         title: kind.name.to_owned(),
         items,
+        names: names(&plant),
     })
 }

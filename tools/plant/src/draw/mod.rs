@@ -20,5 +20,5 @@ mod symbols;
 mod traffic;
 mod transport;
 
-pub use layout::{picture, symbol};
-pub use picture::{Change, Picture};
+pub use layout::{live, picture, symbol};
+pub use picture::{Change, Live, Picture};

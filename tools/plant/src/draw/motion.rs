@@ -2,6 +2,7 @@
 
 use super::brush::Brush;
 use super::panel::cap;
+use super::picture::Value;
 use crate::parts::motion::{call, cylinder, door, elevator, gate};
 
 pub(crate) fn cylinder(b: &mut Brush<'_>) {
@@ -9,14 +10,12 @@ pub(crate) fn cylinder(b: &mut Brush<'_>) {
     let (home, out) = (b.is(cylinder::V::at_home), b.is(cylinder::V::out));
     b.rect([0, 6, 96, 38], 4, "metal");
     b.rect([6, 12, 84, 26], 0, "paper");
-    b.live("rod").group(
-        vec![("transform", format!("translate({position},0)"))],
-        |b| {
+    b.live("rod")
+        .group(&[("transform", Value::Moved(position, 0))], |b| {
             b.rect([10, 12, 8, 26], 1, "dark");
             b.rect([18, 21, 86, 8], 0, "steel");
             b.rect([100, 10, 10, 30], 2, "dark");
-        },
-    );
+        });
     b.rect([90, 6, 8, 38], 1, "metal");
     b.live("in")
         .circle([14, 2], 5, if home { "green-on" } else { "green-off" });
@@ -99,7 +98,7 @@ pub(crate) fn elevator(b: &mut Brush<'_>) {
         _ => 0,
     };
     b.live("car")
-        .group(vec![("transform", format!("translate(0,{y})"))], |b| {
+        .group(&[("transform", Value::Moved(0, y))], |b| {
             b.rect([28, 0, 74, 92], 3, "metal");
             b.rect([34, 8, 62, 84], 0, "yellow-on glow");
             let wide = 31 - open * 28 / 1000;

@@ -40,8 +40,9 @@ pub(crate) fn key(b: &mut Brush<'_>) {
 fn lever(b: &mut Brush<'_>, on: bool, key: bool) {
     b.circle([30, 34], 28, "rim");
     b.circle([30, 34], 20, "metal");
-    b.text([8, 12], "small", "0");
-    b.text([52, 12], "small", "I");
+    // The signs of off and on (IEC 60417), and no text: what a control is called is its label alone.
+    b.circle([8, 8], 4, "thin");
+    b.line([52, 4], [52, 12], "thin");
     let degrees = if on { 40 } else { -40 };
     b.live("lever").turned(degrees, [30, 34], |b| match key {
         true => {
@@ -70,7 +71,7 @@ pub(crate) fn lamp(b: &mut Brush<'_>) {
     let class = colour(b.given(lamp::F::colour), lit);
     let glow = format!("{} glow", if lit { class } else { "paper" });
     b.live("glow")
-        .circle([30, 34], if lit { 33 } else { 1 }, &glow);
+        .circle([30, 34], if lit { 33 } else { 1 }, glow);
     b.circle([30, 34], 26, "rim");
     b.live("lens").circle([30, 34], 21, class);
     b.path("M15 19L45 49M45 19L15 49", "thin");

@@ -1,9 +1,77 @@
 //! The elements of a drawing.
 
-use std::fmt::Write;
+use crate::plant::Plant;
+use std::borrow::Cow;
+use std::fmt::{self, Write};
 
 /// An attribute.
-pub(super) type Attribute = (&'static str, String);
+pub(super) type Attribute = (&'static str, Value);
+
+/// What an attribute is: written out only where somebody reads it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Value {
+    Text(Cow<'static, str>),
+    Number(i32),
+    /// A share of 1, below it.
+    Hundredths(i32),
+    /// Moved by so much.
+    Moved(i32, i32),
+    /// Turned by so many degrees about a point.
+    Turned(i32, [i32; 2]),
+    /// A way from one point to another.
+    Line([i32; 2], [i32; 2]),
+}
+
+impl From<&'static str> for Value {
+    fn from(text: &'static str) -> Value {
+        Value::Text(text.into())
+    }
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Value::Text(text) => f.write_str(text),
+            Value::Number(number) => number.fmt(f),
+            Value::Hundredths(share) => write!(f, "0.{share:02}"),
+            Value::Moved(x, y) => write!(f, "translate({x},{y})"),
+            Value::Turned(degrees, [x, y]) => write!(f, "rotate({degrees},{x},{y})"),
+            Value::Line([x1, y1], [x2, y2]) => write!(f, "M{x1} {y1}L{x2} {y2}"),
+        }
+    }
+}
+
+/// What an element that changes is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Id {
+    /// The time.
+    Time,
+    /// A drawn line, by its number.
+    Drawn(usize),
+    /// Something of a part, by its number; the first of that name is 0.
+    Of {
+        part: usize,
+        what: &'static str,
+        twin: usize,
+    },
+}
+
+impl Id {
+    /// As a text, where parts are called so.
+    fn text<'n>(self, name: impl Fn(usize) -> Option<&'n String>) -> String {
+        match self {
+            Id::Time => "time".to_owned(),
+            Id::Drawn(number) => format!("drawn-{number}"),
+            Id::Of { part, what, twin } => {
+                let name = name(part).map_or("", String::as_str);
+                match twin {
+                    0 => format!("{name}-{what}"),
+                    twin => format!("{name}-{what}-{twin}"),
+                }
+            }
+        }
+    }
+}
 
 /// A part of a drawing.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,17 +89,25 @@ pub(super) enum Item {
 pub(super) struct Element {
     pub tag: &'static str,
     /// Of what changes.
-    pub id: Option<String>,
+    pub id: Option<Id>,
     pub attributes: Vec<Attribute>,
     pub text: String,
 }
 
-/// A drawing: as a text, or as what has changed since another of the same plant.
+/// A drawing, as a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     pub(super) width: i32,
     pub(super) height: i32,
     pub(super) title: String,
+    pub(super) items: Vec<Item>,
+    /// What its parts are called.
+    pub(super) names: Vec<String>,
+}
+
+/// What changes of a drawing, at a moment.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Live {
     pub(super) items: Vec<Item>,
 }
 
@@ -72,7 +148,7 @@ impl Picture {
         for item in &self.items {
             match item {
                 Item::Open(element) => {
-                    head(text, element);
+                    self.head(text, element);
                     text.push('>');
                     open.push(element.tag);
                 }
@@ -82,7 +158,7 @@ impl Picture {
                     }
                 }
                 Item::Leaf(element) => {
-                    head(text, element);
+                    self.head(text, element);
                     if element.text.is_empty() {
                         text.push_str("/>");
                     } else {
@@ -95,37 +171,18 @@ impl Picture {
         }
     }
 
-    /// What is other in this one than in that one.
-    pub fn changes(&self, before: &Picture) -> Vec<Change> {
-        let mut changes = Vec::new();
-        for pair in self.items.iter().zip(&before.items) {
-            let (Item::Leaf(now) | Item::Open(now), Item::Leaf(was) | Item::Open(was)) = pair
-            else {
-                continue;
-            };
-            let Some(id) = &now.id else { continue };
-            for (attribute, value) in &now.attributes {
-                let same = was
-                    .attributes
-                    .iter()
-                    .any(|(name, held)| name == attribute && held == value);
-                if !same {
-                    changes.push(Change {
-                        id: id.clone(),
-                        attribute: Some(attribute),
-                        value: value.clone(),
-                    });
-                }
-            }
-            if now.text != was.text {
-                changes.push(Change {
-                    id: id.clone(),
-                    attribute: None,
-                    value: now.text.clone(),
-                });
-            }
+    fn head(&self, text: &mut String, element: &Element) {
+        let _ = write!(text, "<{}", element.tag);
+        if let Some(id) = element.id {
+            text.push_str(" id=\"");
+            escaped(text, &id.text(|part| self.names.get(part)));
+            text.push('"');
         }
-        changes
+        for (name, value) in &element.attributes {
+            let _ = write!(text, " {name}=\"");
+            escaped(text, &value.to_string());
+            text.push('"');
+        }
     }
 
     /// Several in a row below each other, as one drawing.
@@ -158,6 +215,39 @@ impl Picture {
     }
 }
 
+impl Live {
+    /// What is other in this one than in that one of the same plant.
+    pub fn changes(&self, before: &Live, plant: &Plant) -> Vec<Change> {
+        let name = |part: usize| plant.parts.get(part).map(|own| &own.name);
+        let mut changes = Vec::new();
+        for pair in self.items.iter().zip(&before.items) {
+            let (Item::Leaf(now) | Item::Open(now), Item::Leaf(was) | Item::Open(was)) = pair
+            else {
+                continue;
+            };
+            let Some(id) = now.id else { continue };
+            for attribute in &now.attributes {
+                if !was.attributes.contains(attribute) {
+                    let (name_of, value) = attribute;
+                    changes.push(Change {
+                        id: id.text(name),
+                        attribute: Some(name_of),
+                        value: value.to_string(),
+                    });
+                }
+            }
+            if now.text != was.text {
+                changes.push(Change {
+                    id: id.text(name),
+                    attribute: None,
+                    value: now.text.clone(),
+                });
+            }
+        }
+        changes
+    }
+}
+
 fn without_id(item: &Item) -> Item {
     let plain = |element: &Element| Element {
         id: None,
@@ -167,20 +257,6 @@ fn without_id(item: &Item) -> Item {
         Item::Open(element) => Item::Open(plain(element)),
         Item::Leaf(element) => Item::Leaf(plain(element)),
         Item::Close => Item::Close,
-    }
-}
-
-fn head(text: &mut String, element: &Element) {
-    let _ = write!(text, "<{}", element.tag);
-    if let Some(id) = &element.id {
-        text.push_str(" id=\"");
-        escaped(text, id);
-        text.push('"');
-    }
-    for (name, value) in &element.attributes {
-        let _ = write!(text, " {name}=\"");
-        escaped(text, value);
-        text.push('"');
     }
 }
 

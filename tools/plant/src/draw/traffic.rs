@@ -1,6 +1,7 @@
 //! The symbols of what drives and walks.
 
-use super::brush::{Brush, colour};
+use super::brush::{Brush, colour, display};
+use super::picture::Value;
 use crate::parts::traffic::{lane, light, road, walk};
 
 pub(crate) fn light(b: &mut Brush<'_>) {
@@ -53,12 +54,8 @@ pub(crate) fn road(b: &mut Brush<'_>) {
         b.given(road::F::takes),
     );
     let x = 250 + (takes - on).max(0) * 120 / takes.max(1);
-    let display = if passes { "inline" } else { "none" };
-    let moved = vec![
-        ("transform", format!("translate({x},50)")),
-        ("display", display.to_owned()),
-    ];
-    b.live("passing").group(moved, car);
+    let moved = [("transform", Value::Moved(x, 50)), display(passes)];
+    b.live("passing").group(&moved, car);
     let hit = b.is(road::V::hit);
     b.live("hit").shown(hit, |b| {
         b.path(
@@ -97,12 +94,8 @@ pub(crate) fn walk(b: &mut Brush<'_>) {
         b.given(walk::F::takes),
     );
     let y = 128 - (takes - on).max(0) * 120 / takes.max(1);
-    let display = if walks { "inline" } else { "none" };
-    let moved = vec![
-        ("transform", format!("translate(66,{y})")),
-        ("display", display.to_owned()),
-    ];
-    b.live("walking").group(moved, person);
+    let moved = [("transform", Value::Moved(66, y)), display(walks)];
+    b.live("walking").group(&moved, person);
     b.rect([14, 150, 18, 44], 3, "metal");
     let pressed = b.is(walk::V::pressed) || b.get(walk::V::presses) > 0;
     b.live("button").circle(
@@ -130,12 +123,8 @@ pub(crate) fn lane(b: &mut Brush<'_>) {
         b.given(lane::F::takes),
     );
     let x = 130 + (takes - on).max(0) * 110 / takes.max(1);
-    let display = if passes { "inline" } else { "none" };
-    let moved = vec![
-        ("transform", format!("translate({x},46)")),
-        ("display", display.to_owned()),
-    ];
-    b.live("passing").group(moved, car);
+    let moved = [("transform", Value::Moved(x, 46)), display(passes)];
+    b.live("passing").group(&moved, car);
     let (inside, spaces) = (b.get(lane::V::inside), b.given(lane::F::spaces));
     for place in 0..6 {
         b.twin = place as usize + 1;

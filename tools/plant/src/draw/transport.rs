@@ -1,7 +1,8 @@
 //! The symbols of what carries things. A belt is drawn as long as its symbol, whatever its length.
 
-use super::brush::Brush;
+use super::brush::{Brush, display};
 use super::panel::digits;
+use super::picture::Value;
 use crate::parts::transport::{
     BOTTLE, METAL, MOST, TALL, belt, bin, counter, eye, feeder, filler, height, inductive, pusher,
 };
@@ -20,24 +21,20 @@ pub(crate) fn belt(b: &mut Brush<'_>) {
         b.twin = at + 1;
         let (nature, fill) = (b.row(belt::V::nature, at), b.row(belt::V::fill, at));
         let x = (i64::from(b.row(belt::V::place, at)) * 320 / (i64::from(long) * 1000)) as i32;
-        let high = if nature & TALL != 0 { 36 } else { 22 };
-        let display = if nature == 0 { "none" } else { "inline" };
-        let moved = vec![
-            ("transform", format!("translate({x},50)")),
-            ("display", display.to_owned()),
-        ];
-        b.live("thing").group(moved, |b| {
+        let moved = [("transform", Value::Moved(x, 50)), display(nature != 0)];
+        b.live("thing").group(&moved, |b| {
             let bottle = nature & BOTTLE != 0;
             let class = match (bottle, nature & METAL != 0) {
                 (true, _) => "bottle",
                 (_, true) => "steel",
                 (_, false) => "plastic",
             };
-            let way = match bottle {
-                true => "M-4 -42V-34C-12 -30 -12 -26 -12 0H12C12 -26 12 -30 4 -34V-42Z".to_owned(),
-                false => format!("M-13 0V-{high}H13V0Z"),
+            let way = match (bottle, nature & TALL != 0) {
+                (true, _) => "M-4 -42V-34C-12 -30 -12 -26 -12 0H12C12 -26 12 -30 4 -34V-42Z",
+                (_, true) => "M-13 0V-36H13V0Z",
+                (_, false) => "M-13 0V-22H13V0Z",
             };
-            b.live("shape").path(&way, class);
+            b.live("shape").path(way, class);
             let tall = if bottle {
                 fill.min(1000) * 28 / 1000
             } else {
@@ -98,7 +95,7 @@ pub(crate) fn pusher(b: &mut Brush<'_>) {
     let out = b.get(pusher::V::position) * 44 / 1000;
     b.rect([16, 0, 28, 50], 4, "metal");
     b.live("rod")
-        .group(vec![("transform", format!("translate(0,{out})"))], |b| {
+        .group(&[("transform", Value::Moved(0, out))], |b| {
             b.rect([27, 44, 6, 20], 0, "steel");
             b.rect([10, 60, 40, 8], 2, "dark");
         });

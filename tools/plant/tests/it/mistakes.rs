@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::mem::discriminant;
 use unoclp_core::Board;
-use unoclp_plant::{MOST_PARTS, Mistake, Plant};
+use unoclp_plant::{MOST_PARTS, Mistake, Plant, Wrong};
 use unoclp_words::Lang;
 
 fn read(text: &str) -> Result<Plant, Vec<Mistake>> {
@@ -241,20 +241,25 @@ fn each_mistake_is_told_with_its_line() {
     let mut kinds = BTreeSet::new();
     for (text, line, words) in mistakes() {
         let told = read(&text).expect_err(words);
-        let fits = |of: &&Mistake| of.line == line && of.wrong.text(Lang::En).contains(words);
+        let fits = |of: &&Mistake| of.line == line && of.reason(Lang::En).contains(words);
         let found = told.iter().find(fits);
         let all: Vec<String> = told
             .iter()
             .map(|mistake| mistake.text("p.toml", Lang::En))
             .collect();
         let found = found.unwrap_or_else(|| panic!("{line}: {words}: {all:#?}"));
-        kinds.insert(format!("{:?}", discriminant(&found.wrong)));
+        // What is wrong with any file has kinds of its own.
+        let amiss = match &found.wrong {
+            Wrong::Keys(amiss) => Some(discriminant(amiss)),
+            _ => None,
+        };
+        kinds.insert(format!("{:?} {amiss:?}", discriminant(&found.wrong)));
         let portuguese = found.text("p.toml", Lang::Pt);
         assert!(
             portuguese.starts_with(&format!("p.toml:{line}: ")),
             "{portuguese}"
         );
-        assert_ne!(found.wrong.text(Lang::Pt), found.wrong.text(Lang::En));
+        assert_ne!(found.reason(Lang::Pt), found.reason(Lang::En));
     }
     // Each kind of mistake that there is.
     assert_eq!(kinds.len(), 28, "{kinds:?}");
@@ -278,7 +283,7 @@ fn a_damaged_file_is_refused_in_words() {
                 assert!(
                     mistakes
                         .iter()
-                        .all(|mistake| !mistake.wrong.text(Lang::Pt).is_empty())
+                        .all(|mistake| !mistake.reason(Lang::Pt).is_empty())
                 );
             }
         }

@@ -2,17 +2,18 @@
 
 use crate::{folder, plant, plants};
 use roxmltree::Document;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use unoclp_core::Image;
-use unoclp_plant::{KINDS, Outputs, Run, picture, symbol};
+use unoclp_plant::{Change, KINDS, Outputs, Run, live, picture, symbol};
 use unoclp_words::Lang;
 
 #[test]
 fn every_moment_is_drawn_and_each_name_stands_once() {
     for (name, plant) in plants() {
         let mut run = Run::new(&plant, 1);
-        let before = picture(&run, Lang::Pt);
+        let before = live(&run, Lang::Pt);
+        let begin = texts(&picture(&run, Lang::Pt).svg());
         let outputs = Outputs {
             points: Image(0b0101),
             ..Outputs::default()
@@ -20,8 +21,8 @@ fn every_moment_is_drawn_and_each_name_stands_once() {
         (0..9000).for_each(|_| {
             run.step(&outputs);
         });
-        let after = picture(&run, Lang::Pt);
-        let svg = after.svg();
+        let after = live(&run, Lang::Pt);
+        let svg = picture(&run, Lang::Pt).svg();
         let page = Document::parse(&svg).unwrap_or_else(|error| panic!("{name}: {error}"));
         let names: Vec<&str> = page
             .descendants()
@@ -29,7 +30,7 @@ fn every_moment_is_drawn_and_each_name_stands_once() {
             .collect();
         let unique: BTreeSet<&str> = names.iter().copied().collect();
         assert_eq!(names.len(), unique.len(), "{name}");
-        let changes = after.changes(&before);
+        let changes = after.changes(&before, &plant);
         assert!(changes.iter().any(|change| change.id == "time"), "{name}");
         for change in &changes {
             let own = page
@@ -43,8 +44,38 @@ fn every_moment_is_drawn_and_each_name_stands_once() {
                 None => assert_eq!(own.text().unwrap_or_default(), change.value, "{name}"),
             }
         }
-        assert_eq!(after.changes(&after), []);
+        assert_eq!(after.changes(&after, &plant), []);
+        // With them the drawing of before is that of now.
+        let mut shown = begin;
+        for Change {
+            id,
+            attribute,
+            value,
+        } in changes
+        {
+            let attribute = attribute.unwrap_or_default().to_owned();
+            assert!(shown.insert((id, attribute), value).is_some(), "{name}");
+        }
+        assert_eq!(shown, texts(&svg), "{name}");
     }
+}
+
+/// What a drawing says of each element that changes: its attributes, and its text without a name.
+fn texts(svg: &str) -> BTreeMap<(String, String), String> {
+    let page = Document::parse(svg).unwrap();
+    let mut all = BTreeMap::new();
+    for node in page.descendants() {
+        let Some(id) = node.attribute("id") else {
+            continue;
+        };
+        for attribute in node.attributes() {
+            let (name, value) = (attribute.name().to_owned(), attribute.value().to_owned());
+            all.insert((id.to_owned(), name), value);
+        }
+        let text = node.text().unwrap_or_default().to_owned();
+        all.insert((id.to_owned(), String::new()), text);
+    }
+    all
 }
 
 #[test]
@@ -58,6 +89,31 @@ fn what_a_file_says_is_text_and_nothing_else() {
             .descendants()
             .any(|node| node.tag_name().name() == "script")
     );
+}
+
+/// What a person presses or turns is found by its name, as it is seen and as it is said: nothing else is written on it but
+/// signs.
+#[test]
+fn a_control_says_its_name_and_nothing_else() {
+    let mut count = 0;
+    for kind in KINDS {
+        if !kind.values.iter().any(|slot| slot.by_hand) {
+            continue;
+        }
+        let svg = symbol(kind, Lang::En).unwrap().svg();
+        let page = Document::parse(&svg).unwrap();
+        let symbol = page
+            .descendants()
+            .find(|node| node.attribute("data-part").is_some())
+            .unwrap();
+        let words = symbol.descendants().filter(|node| node.is_text());
+        let words: Vec<&str> = words.filter_map(|node| node.text()).collect();
+        let is_word = |text: &&&str| text.chars().any(char::is_alphanumeric);
+        let said: Vec<&&str> = words.iter().filter(is_word).collect();
+        assert_eq!(said, [&kind.name], "{}", kind.name);
+        count += 1;
+    }
+    assert!(count >= 8, "{count}");
 }
 
 /// The pictures of `docs/plants/`, which the pages show. With UPDATE=1 they are written.
