@@ -102,15 +102,12 @@ pub fn check_written(
         }) => {
             let all = lang::show(&name, &text, &diagnostics, messages::spoken(), &renderer());
             let count = count(&diagnostics);
+            let board = wording.board.name;
+            let adapt = moved(&before).map(|moved| messages::can_be_adapted(&name, moved, board));
+            let adapt = adapt.map(|words| format!("\n{words}")).unwrap_or_default();
             match shown {
-                Shown::Here => say!("{all}{name}: {count}"),
-                Shown::Beside => eprintln!("{all}{name}: {count}"),
-            }
-            if let Some(moved) = moved(&before) {
-                eprintln!(
-                    "{}",
-                    messages::can_be_adapted(&name, moved, wording.board.name)
-                );
+                Shown::Here => say!("{all}{name}: {count}{adapt}"),
+                Shown::Beside => eprintln!("{all}{name}: {count}{adapt}"),
             }
             None
         }
