@@ -5,6 +5,8 @@
 interface Turn {
   readonly at: number;
   readonly drives: boolean;
+  /** How many readings had come when it was told. */
+  readonly told: number;
 }
 
 /** So many pins that have changed are looked through: more than two readings lie no further back. */
@@ -14,10 +16,11 @@ export class Moments {
   private turns: Turn[] = [];
   /** The times of the last two readings: a part of a reading is as old as the one before it at most. */
   private before: readonly [number, number] = [0, 0];
+  private readings = 0;
 
   /** An input or an output has changed. */
   turned(at: number, what: "input" | "output"): void {
-    this.turns.push({ at, drives: what === "input" });
+    this.turns.push({ at, drives: what === "input", told: this.readings });
     if (this.turns.length > KEPT) this.turns.shift();
   }
 
@@ -25,7 +28,10 @@ export class Moments {
   read(at: number): number {
     const [from] = this.before;
     this.before = [this.before[1], at];
-    const turns = this.turns.filter((turn) => turn.at > from && turn.at <= at).sort((one, other) => one.at - other.at);
+    // The time of a reading is the page's own, which may run ahead: what was told only after the last one is new as well.
+    const isNew = (turn: Turn): boolean => turn.at > from || turn.told === this.readings;
+    const turns = this.turns.filter((turn) => isNew(turn) && turn.at <= at).sort((one, other) => one.at - other.at);
+    this.readings += 1;
     const driven = (since: number): boolean => turns.some((turn) => !turn.drives && turn.at >= since);
     const inputs = turns.filter((turn) => turn.drives);
     // What an input has brought about, and what has brought about an output.

@@ -35,6 +35,17 @@ test("pins told late, in any order, count by their time", () => {
   assert.equal(moment([172, "output"], [170, "input"]), 170);
 });
 
+test("a pin that is told after a reading is new, though the reading's time was later", () => {
+  const moments = new Moments();
+  moments.turned(20, "input");
+  for (const at of [100, 150, 160]) moments.read(at);
+  moments.turned(149, "output");
+  assert.equal(moments.read(170), 149);
+  // Once alone.
+  for (const at of [180, 190]) moments.read(at);
+  assert.equal(moments.read(200), 200);
+});
+
 test("without pins it is when it was read", () => {
   assert.equal(moment(), 200);
   assert.equal(moment([20, "input"]), 200);
