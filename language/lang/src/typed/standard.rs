@@ -209,7 +209,7 @@ impl Standard {
 
     /// The norm's name of a member that others call otherwise: RESET is R.
     fn usual(self, name: &str) -> &str {
-        match (self, name) {
+        match (self.plain(), name) {
             (Standard::Sr, "SET1" | "S") => "S1",
             (Standard::Sr, "RESET") | (Standard::Ctu | Standard::Ctud, "RESET") => "R",
             (Standard::Rs, "SET") => "S",
