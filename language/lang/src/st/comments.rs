@@ -39,10 +39,15 @@ impl Lexer<'_, '_> {
         }
     }
 
-    /// Skips `(*DBG: … *)`, in which OpenPLC keeps a line of C, whatever that has for comments.
+    /// Skips a line `(*DBG: … *)`, in which OpenPLC keeps a line of C, whatever that has for comments.
     fn debug_line(&mut self) -> bool {
-        let line = self.scan.rest().lines().next().unwrap_or_default();
-        let is = line.starts_with("(*DBG:") && line.trim_end().ends_with("*)");
+        let (before, rest) = self.scan.text.split_at(self.scan.at);
+        let begins = before.is_empty() || before.ends_with('\n');
+        if !begins || !rest.starts_with("(*DBG:") {
+            return false;
+        }
+        let line = rest.lines().next().unwrap_or_default();
+        let is = line.trim_end().ends_with("*)");
         if is {
             self.scan.at += line.len();
         }

@@ -53,7 +53,7 @@ pub const IL: [(&str, Shape); 11] = [
     }),
 ];
 
-pub const ST: [(&str, Shape); 44] = [
+pub const ST: [(&str, Shape); 47] = [
     ("parentheses", |n| {
         format!("x := {}1{};", "(".repeat(n), ")".repeat(n))
     }),
@@ -95,6 +95,15 @@ pub const ST: [(&str, Shape); 44] = [
     ("open comments", |n| "(* ".repeat(n)),
     ("closed comments", |n| {
         format!("{}{}", "(* ".repeat(n), "*) ".repeat(n))
+    }),
+    ("units without their ends", |n| {
+        "FUNCTION f : INT\n".repeat(n)
+    }),
+    ("lines for a debugger in one line", |n| {
+        "(*DBG: *) ;".repeat(n) + "x"
+    }),
+    ("units in C without their ends", |n| {
+        "FUNCTION f : INT {{ x }}\n".repeat(n)
     }),
     ("open texts", |n| "x := 'a\n".repeat(n)),
     ("operands of a function", |n| {

@@ -10,7 +10,7 @@ use unoclp_lang::run::Machine;
 use unoclp_lang::{Diagnostic, Severity, TextLanguage, check, compile_text};
 
 /// Shapes of which each piece is a mistake of its own.
-const MANY_IN_ST: [&str; 12] = [
+const MANY_IN_ST: [&str; 13] = [
     "names of nothing",
     "open texts",
     "large arrays",
@@ -19,6 +19,7 @@ const MANY_IN_ST: [&str; 12] = [
     "blocks in blocks, each behind what it holds",
     "functions in functions",
     "units without their words",
+    "units without their ends",
     "names of one length",
     "THEN alone",
     "END_VAR alone",

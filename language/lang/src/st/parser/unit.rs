@@ -123,7 +123,7 @@ impl Parser<'_, '_> {
     /// Code for another machine before the end of this unit.
     fn foreign_code(&self, end: Keyword) -> Option<Span> {
         let rest = self.tokens.iter().zip(&self.keywords).skip(self.at);
-        let mut unit = rest.take_while(|(_, keyword)| **keyword != end);
+        let mut unit = rest.take_while(|(_, word)| **word != end && !word.begins_unit());
         let found = unit.find(|(token, _)| token.kind == Kind::ForeignCode);
         found.map(|(token, _)| token.span)
     }
@@ -136,7 +136,10 @@ impl Parser<'_, '_> {
             self.wrong_declarations = true;
         }
         file.foreign.push(name);
-        while !self.accept_keyword(end) && !self.is(Kind::End) {
+        while !self.is(Kind::End) && !self.keyword().begins_unit() {
+            if self.accept_keyword(end) {
+                break;
+            }
             self.next();
         }
     }
