@@ -65,7 +65,6 @@ pub fn check_written(
     wording: &Wording,
     shown: Shown,
 ) -> anyhow::Result<Option<Source>> {
-    let before = written.clone();
     Ok(match written.check(wording.dialect) {
         Ok(source) => {
             if let Some(warnings) = source.language.warnings() {
@@ -103,7 +102,8 @@ pub fn check_written(
             let all = lang::show(&name, &text, &diagnostics, messages::spoken(), &renderer());
             let count = count(&diagnostics);
             let board = wording.board.name;
-            let adapt = moved(&before).map(|moved| messages::can_be_adapted(&name, moved, board));
+            let again = wording.of(name.clone(), text.clone().into_bytes());
+            let adapt = moved(&again).map(|moved| messages::can_be_adapted(&name, moved, board));
             let adapt = adapt.map(|words| format!("\n{words}")).unwrap_or_default();
             match shown {
                 Shown::Here => say!("{all}{name}: {count}{adapt}"),
