@@ -85,7 +85,7 @@ use unoclp_core::Board;
 pub use variables::{Held, Holding, Variable, literal};
 
 /// What has come of a text in a typed language.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct CompiledText {
     /// What it means; none where its names or types are wrong.
     pub tree: Option<Tree>,
@@ -163,14 +163,7 @@ pub(crate) fn compile_tree(
     board: Board,
     mut found: Found,
 ) -> CompiledText {
-    let mut made = CompiledText {
-        tree: None,
-        lines: Vec::new(),
-        program: None,
-        variables: Vec::new(),
-        traces: Vec::new(),
-        diagnostics: Told::default(),
-    };
+    let mut made = CompiledText::default();
     if let Some(tree) = &tree {
         lower(text, tree, written, board, &mut found, &mut made);
     }

@@ -22,14 +22,7 @@ pub(super) const LARGE: Board = Board {
 /// The program of a tree, as if it were of this text.
 pub(super) fn compiled_of(text: &str, tree: &Tree) -> CompiledText {
     let mut found = Found::default();
-    let mut made = CompiledText {
-        tree: None,
-        lines: Vec::new(),
-        program: None,
-        variables: Vec::new(),
-        traces: Vec::new(),
-        diagnostics: Told::default(),
-    };
+    let mut made = CompiledText::default();
     let written = Written::in_types(text);
     lower(text, tree, written, LARGE, &mut found, &mut made);
     made.diagnostics = found.finish();
