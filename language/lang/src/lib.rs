@@ -33,6 +33,7 @@ mod emit;
 mod given;
 mod il;
 mod iscl;
+mod jumps;
 mod lacking;
 mod languages;
 mod lce;

@@ -5,9 +5,10 @@
 
 use super::accumulator::Changes;
 use super::said::{ACCUMULATOR, BOOL, NUMBER};
-use super::walk::{Acc, If, Waiting, Walk};
+use super::walk::{Acc, Waiting, Walk};
 use crate::ast::{Instr, Operand, Stmt, Word};
 use crate::diagnostics::{Code, Span};
+use crate::jumps::If;
 use crate::names::near::nearest;
 use crate::operators::Op;
 use crate::typed::{Base, Compare, Expr, Stmt as Made, StmtKind};
@@ -26,7 +27,7 @@ impl Walk<'_, '_, '_> {
                 wanted.insert(name);
             }
         }
-        self.labels.wanted = !wanted.is_empty();
+        self.jumps = !wanted.is_empty();
         let mut seen = HashSet::new();
         for (at, stmt) in self.body.iter().enumerate() {
             let Stmt::Label(word) = stmt else { continue };
@@ -53,18 +54,12 @@ impl Walk<'_, '_, '_> {
             true => {}
             false => self.warn_unused(),
         }
-        self.place(at);
+        self.labels.place(at, &self.made);
         self.acc = Acc::Empty;
         if needed {
             self.carried(at, word.span);
         }
         self.links = 0;
-    }
-
-    /// The label leads to the statement that comes.
-    fn place(&mut self, label: usize) {
-        let statement = self.made.first().map_or(0, Vec::len);
-        self.labels.places.insert(label, statement);
     }
 
     /// Leaves the accumulator where the way from the label on takes it from.
@@ -173,8 +168,7 @@ impl Walk<'_, '_, '_> {
     }
 
     fn jump_to(&mut self, condition: Option<Expr>, label: usize, at: Span) {
-        let statement = self.made.first().map_or(0, Vec::len);
-        self.labels.open.push((statement, label));
+        self.labels.jumps_to(label, &self.made);
         let kind = StmtKind::Jump(condition, 0);
         self.push(Made { kind, at });
     }
@@ -272,10 +266,8 @@ impl Walk<'_, '_, '_> {
         if self.labels.lines.is_empty() {
             self.made.push(Vec::new());
         } else {
-            // Numbers after those of the lines.
-            let first = self.body.len() + 2 * self.labels.of_ifs;
-            self.labels.of_ifs += 1;
-            labels = Some((first, first + 1));
+            let (first, end) = self.labels.of_if(self.body.len());
+            labels = Some((first, end));
             let not = self.front.builder.not(condition.clone(), instr.span);
             self.jump_to(Some(not), first, instr.span);
         }
@@ -300,7 +292,7 @@ impl Walk<'_, '_, '_> {
         match labels {
             Some((first, end)) => {
                 self.jump_to(None, end, instr.span);
-                self.place(first);
+                self.labels.place(first, &self.made);
             }
             None => {
                 let first = self.made.pop();
@@ -320,21 +312,11 @@ impl Walk<'_, '_, '_> {
         };
         self.acc = Acc::Empty;
         if let Some((first, end)) = open.labels {
-            return self.place(if open.other { end } else { first });
+            let label = if open.other { end } else { first };
+            return self.labels.place(label, &self.made);
         }
         let last = self.made.pop().unwrap_or_default();
-        let (then, otherwise) = match open.first {
-            Some(first) => (first, last),
-            None => (last, Vec::new()),
-        };
-        let Some(condition) = open.condition else {
-            return;
-        };
-        let kind = StmtKind::If(vec![(condition, then)], otherwise);
-        self.push(Made {
-            kind,
-            at: open.span,
-        });
+        open.closed(last).into_iter().for_each(|one| self.push(one));
     }
 
     fn stray_part(&mut self, instr: &Instr) {
@@ -352,17 +334,6 @@ impl Walk<'_, '_, '_> {
             let word = self.front.names.written(open.span);
             let why = ("write END_IF after it", "escreva END_IF depois dele");
             self.tell(Code::Structure, open.span, [word.into(), why.into()]);
-        }
-    }
-
-    /// Gives each jump the number of its statement.
-    pub(super) fn settle_jumps(&mut self) {
-        for (at, label) in std::mem::take(&mut self.labels.open) {
-            let to = self.labels.places.get(&label).copied().unwrap_or(0);
-            let statement = self.made.first_mut().and_then(|made| made.get_mut(at));
-            if let Some(StmtKind::Jump(_, number)) = statement.map(|one| &mut one.kind) {
-                *number = to as u32;
-            }
         }
     }
 }

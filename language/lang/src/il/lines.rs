@@ -2,9 +2,10 @@
 
 use super::front::Front;
 use super::stack::pushes;
-use super::walk::{Acc, Labels, Waiting, Walk};
+use super::walk::{Acc, Waiting, Walk};
 use crate::ast::{Instr, Stmt};
 use crate::diagnostics::Code;
+use crate::jumps::Labels;
 use crate::operators::Op;
 use crate::typed::Stmt as Made;
 use unoclp_core::isa::Opcode;
@@ -37,6 +38,7 @@ impl<'a> Front<'a, '_> {
             decided: None,
             told_open: None,
             labels: Labels::default(),
+            jumps: false,
             ifs: Vec::new(),
             made: vec![Vec::new()],
             own: 0,
@@ -130,7 +132,7 @@ impl<'a> Walk<'_, 'a, '_> {
         self.end_of_branches();
         self.end_of_pushed();
         self.end_of_ifs();
-        self.settle_jumps();
+        self.labels.settle(&mut self.made);
         self.made.swap_remove(0)
     }
 }

@@ -2,40 +2,28 @@
 
 use super::walk::Walk;
 use crate::ast::{Instr, Stmt};
+use crate::jumps::{Passes, needed};
 use crate::operators::Op;
-use std::collections::HashMap;
 use unoclp_core::isa::Opcode;
 
 impl Walk<'_, '_, '_> {
-    /// Walks back from each line that uses the accumulator to those that fill it.
+    /// Finds the lines that need what the one before leaves.
     pub(super) fn find_needs(&mut self) {
-        let count = self.body.len();
-        let mut goes_on = vec![true; count];
-        let mut jumps: HashMap<usize, Vec<usize>> = HashMap::new();
-        let mut filled = vec![false; count];
-        let mut todo = Vec::new();
-        for (at, stmt) in self.body.iter().enumerate() {
-            if self.reads(stmt, at) {
-                todo.push(at);
-            } else {
-                filled[at] = fills(stmt);
-            }
-            if let Stmt::Instr(instr) = stmt {
-                let (next, label) = self.leads(instr);
-                goes_on[at] = next;
-                if let Some(label) = label {
-                    jumps.entry(label).or_default().push(at);
-                }
-            }
-        }
-        self.needs = vec![false; count + 1];
-        while let Some(at) = todo.pop() {
-            if std::mem::replace(&mut self.needs[at], true) {
-                continue;
-            }
-            let before = at.checked_sub(1).filter(|&before| goes_on[before]);
-            let jumps = jumps.get(&at).into_iter().flatten().copied();
-            todo.extend(before.into_iter().chain(jumps).filter(|&one| !filled[one]));
+        let lines = self.body.iter().enumerate();
+        let lines: Vec<Passes> = lines.map(|(at, stmt)| self.passes(stmt, at)).collect();
+        self.needs = needed(&lines);
+    }
+
+    fn passes(&self, stmt: &Stmt, at: usize) -> Passes {
+        let (goes_on, jumps) = match stmt {
+            Stmt::Instr(instr) => self.leads(instr),
+            _ => (true, None),
+        };
+        Passes {
+            reads: self.reads(stmt, at),
+            fills: fills(stmt),
+            goes_on,
+            jumps,
         }
     }
 

@@ -165,7 +165,7 @@ impl Walk<'_, '_, '_> {
     /// An output that has been written by ST before is told, where no jump may lead past one of the two.
     fn note_coil(&mut self, output: u8, operand: &Operand) {
         let kind = self.front.kind_of(self.unit);
-        if kind != UnitKind::Program || self.labels.wanted {
+        if kind != UnitKind::Program || self.jumps {
             return;
         }
         let span = operand.span;

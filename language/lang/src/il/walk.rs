@@ -3,10 +3,11 @@
 use super::front::Front;
 use crate::ast::{Instr, Operand, Stmt};
 use crate::diagnostics::{Code, Span, Word};
+use crate::jumps::{If, Labels};
 use crate::operators::Op;
 use crate::typed::build::Target;
 use crate::typed::{Expr, Standard, Stmt as Made};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 /// What the accumulator holds.
 #[derive(Clone, Debug)]
@@ -33,46 +34,6 @@ pub(super) struct Frame {
     pub waiting: Waiting,
     pub span: Span,
     pub links: u32,
-}
-
-/// The labels of a body.
-#[derive(Debug, Default)]
-pub(super) struct Labels {
-    /// Where each stands that a jump leads to, by its name.
-    pub lines: HashMap<String, usize>,
-    /// The statement that each leads to; those after the body's own are of IF.
-    pub places: HashMap<usize, usize>,
-    /// Where the accumulator waits that is needed after a label.
-    pub carried: HashMap<usize, Target>,
-    /// Jumps whose statement is not known yet, and their labels.
-    pub open: Vec<(usize, usize)>,
-    pub of_ifs: usize,
-    /// Whether the body jumps, wherever to.
-    pub wanted: bool,
-}
-
-impl Labels {
-    /// A statement of the body's own is put before that of this number.
-    pub(super) fn insert(&mut self, before: usize) {
-        for (statement, _) in &mut self.open {
-            *statement += usize::from(*statement >= before);
-        }
-        for place in self.places.values_mut() {
-            *place += usize::from(*place > before);
-        }
-    }
-}
-
-/// An IF that is open.
-#[derive(Debug)]
-pub(super) struct If {
-    pub span: Span,
-    pub condition: Option<Expr>,
-    /// What is done where the condition holds, once ELSE has come.
-    pub first: Option<Vec<Made>>,
-    /// With jumps: the labels after its first part, and after it.
-    pub labels: Option<(usize, usize)>,
-    pub other: bool,
 }
 
 /// A block whose inputs are being connected.
@@ -122,6 +83,8 @@ pub(super) struct Walk<'w, 'a, 'f> {
     /// The parenthesis of which it has been told that something cannot stand in it.
     pub told_open: Option<Span>,
     pub labels: Labels,
+    /// Whether the body jumps, wherever to.
+    pub jumps: bool,
     pub ifs: Vec<If>,
     /// The statements: of the body, and of each IF that is open.
     pub made: Vec<Vec<Made>>,
@@ -134,7 +97,7 @@ impl<'a> Walk<'_, 'a, '_> {
         self.front.builder.found.tell(code, at, words);
     }
 
-    /// What the tree cannot say yet.
+    /// What no operator of this reader comes to.
     pub(super) fn not_yet(&mut self, at: Span) {
         self.unused = None;
         self.acc = Acc::Wrong;

@@ -48,8 +48,8 @@ impl Walk<'_, '_, '_, '_> {
 
     /// A variable of the compiler's own.
     pub(super) fn own(&mut self, ty: TypeId, section: Section, at: Span) -> Option<Target> {
-        self.labels.own += 1;
-        let name = format!("#{}", self.labels.own);
+        self.own += 1;
+        let name = format!("#{}", self.own);
         let traits = Traits {
             unseen: true,
             ..Traits::default()

@@ -5,13 +5,13 @@
 
 use super::super::super::ast::{Instruction, Line, Name};
 use super::accumulator::Changes;
-use super::walk::{Acc, If, Walk};
+use super::walk::{Acc, Walk};
 use crate::diagnostics::{Code, Span};
+use crate::jumps::{If, Passes, needed};
 use crate::names::near::nearest;
 use crate::operators::Op;
 use crate::typed::build::{Section, both};
 use crate::typed::{Expr, Stmt, StmtKind};
-use std::collections::HashMap;
 use unoclp_core::isa::Opcode;
 
 impl Walk<'_, '_, '_, '_> {
@@ -25,36 +25,22 @@ impl Walk<'_, '_, '_, '_> {
         }
     }
 
-    /// Walks back from each line that uses the accumulator to those that fill it.
+    /// Finds the lines that need what the one before leaves.
     pub(super) fn find_needs(&mut self) {
-        let count = self.lines.len();
-        // Whether the line after each comes next, and who jumps to a label's line.
-        let mut goes_on = vec![true; count];
-        let mut jumps: HashMap<usize, Vec<usize>> = HashMap::new();
-        let mut fills = vec![false; count];
-        let mut todo = Vec::new();
-        for (at, line) in self.lines.iter().enumerate() {
-            if self.reads(line) {
-                todo.push(at);
-            } else {
-                fills[at] = self.fills(line);
-            }
-            if let Line::Does(one) = line {
-                let (next, label) = self.leads(one);
-                goes_on[at] = next;
-                label
-                    .into_iter()
-                    .for_each(|label| jumps.entry(label).or_default().push(at));
-            }
-        }
-        self.needs = vec![false; count + 1];
-        while let Some(at) = todo.pop() {
-            if std::mem::replace(&mut self.needs[at], true) {
-                continue;
-            }
-            let before = at.checked_sub(1).filter(|&before| goes_on[before]);
-            let jumps = jumps.get(&at).into_iter().flatten().copied();
-            todo.extend(before.into_iter().chain(jumps).filter(|&one| !fills[one]));
+        let lines: Vec<Passes> = self.lines.iter().map(|line| self.passes(line)).collect();
+        self.needs = needed(&lines);
+    }
+
+    fn passes(&self, line: &Line) -> Passes {
+        let (goes_on, jumps) = match line {
+            Line::Does(one) => self.leads(one),
+            _ => (true, None),
+        };
+        Passes {
+            reads: self.reads(line),
+            fills: self.fills(line),
+            goes_on,
+            jumps,
         }
     }
 
@@ -91,7 +77,7 @@ impl Walk<'_, '_, '_, '_> {
         } else {
             self.warn_unused();
         }
-        self.place(at);
+        self.labels.place(at, &self.made);
         self.acc = match self.labels.carried.get(&at).cloned() {
             Some(target) if self.needs[at] => {
                 let read = self.c.builder.read(Some(target), name.span);
@@ -101,12 +87,6 @@ impl Walk<'_, '_, '_, '_> {
             _ => Acc::Empty,
         };
         self.links = 0;
-    }
-
-    /// The label leads to the statement that comes.
-    fn place(&mut self, label: usize) {
-        let statement = self.made.first().map_or(0, Vec::len);
-        self.labels.places.insert(label, statement);
     }
 
     /// Puts the accumulator where the code after this label looks for it.
@@ -180,8 +160,7 @@ impl Walk<'_, '_, '_, '_> {
     }
 
     fn jump_to(&mut self, condition: Option<Expr>, label: usize, at: Span) {
-        let statement = self.made.first().map_or(0, Vec::len);
-        self.labels.open.push((statement, label));
+        self.labels.jumps_to(label, &self.made);
         let kind = StmtKind::Jump(condition, 0);
         self.push(Stmt { kind, at });
     }
@@ -267,10 +246,8 @@ impl Walk<'_, '_, '_, '_> {
         let condition = self.condition(one);
         let mut labels = None;
         if self.has_jumps() {
-            // Numbers after those of the lines.
-            let first = self.lines.len() + 2 * self.labels.of_ifs;
-            self.labels.of_ifs += 1;
-            labels = Some((first, first + 1));
+            let (first, end) = self.labels.of_if(self.lines.len());
+            labels = Some((first, end));
             if let Some(condition) = condition.clone() {
                 let not = self.c.builder.not(condition, one.span);
                 self.jump_to(Some(not), first, one.span);
@@ -297,7 +274,7 @@ impl Walk<'_, '_, '_, '_> {
         match open.labels {
             Some((first, end)) => {
                 self.jump_to(None, end, one.span);
-                self.place(first);
+                self.labels.place(first, &self.made);
             }
             None => {
                 let first = self.made.pop();
@@ -315,19 +292,13 @@ impl Walk<'_, '_, '_, '_> {
             return self.stray_part(one);
         };
         match open.labels {
-            Some((first, end)) => self.place(if open.other { end } else { first }),
+            Some((first, end)) => {
+                let label = if open.other { end } else { first };
+                self.labels.place(label, &self.made);
+            }
             None => {
                 let last = self.made.pop().unwrap_or_default();
-                let (then, otherwise) = match open.first {
-                    Some(first) => (first, last),
-                    None => (last, Vec::new()),
-                };
-                let Some(condition) = open.condition else {
-                    return;
-                };
-                let kind = StmtKind::If(vec![(condition, then)], otherwise);
-                let at = open.span;
-                self.push(Stmt { kind, at });
+                open.closed(last).into_iter().for_each(|one| self.push(one));
             }
         }
     }
@@ -346,17 +317,6 @@ impl Walk<'_, '_, '_, '_> {
         if let Some(open) = self.ifs.pop() {
             let why = ("write END_IF after it", "escreva END_IF depois dele");
             self.tell(Code::Structure, open.span, ["IF".into(), why.into()]);
-        }
-    }
-
-    /// Gives each jump the number of its statement.
-    pub(super) fn settle_jumps(&mut self) {
-        for (at, label) in std::mem::take(&mut self.labels.open) {
-            let to = self.labels.places.get(&label).copied().unwrap_or(0);
-            let statement = self.made.first_mut().and_then(|made| made.get_mut(at));
-            if let Some(StmtKind::Jump(_, number)) = statement.map(|one| &mut one.kind) {
-                *number = to as u32;
-            }
         }
     }
 }

@@ -18,10 +18,11 @@ mod walk;
 use super::super::ast::Line;
 use super::Checker;
 use crate::diagnostics::{Code, Span};
+use crate::jumps::Labels;
 use crate::operators::Op;
 use crate::typed::Stmt;
 use unoclp_point::{Kind, Maker, read};
-use walk::{Acc, Labels, Walk};
+use walk::{Acc, Walk};
 
 /// Operations in one expression, before a part of it is put aside.
 const MOST_LINKS: u32 = 40;
@@ -45,6 +46,7 @@ impl Checker<'_, '_, '_> {
         let mut walk = Walk {
             needs: Vec::new(),
             labels: Labels::default(),
+            own: 0,
             c: self,
             lines,
             line: 0,
@@ -108,7 +110,7 @@ impl Walk<'_, '_, '_, '_> {
             self.tell(Code::LeftOpen, frame.at, []);
         }
         self.end_of_ifs();
-        self.settle_jumps();
+        self.labels.settle(&mut self.made);
         self.made.swap_remove(0)
     }
 }

@@ -3,9 +3,9 @@
 use super::super::super::ast::Line;
 use super::super::Checker;
 use crate::diagnostics::Span;
+use crate::jumps::{If, Labels};
 use crate::typed::build::Target;
 use crate::typed::{Expr, Stmt};
-use std::collections::HashMap;
 
 /// What the accumulator holds.
 #[derive(Clone, Debug)]
@@ -49,35 +49,9 @@ pub(super) struct Walk<'c, 'a, 't, 'f> {
     /// Nothing comes here.
     pub(super) unreachable: bool,
     pub(super) labels: Labels,
+    /// Variables of the compiler's own so far.
+    pub(super) own: u32,
     pub(super) ifs: Vec<If>,
     /// The statements, of the unit and of each IF that is open.
     pub(super) made: Vec<Vec<Stmt>>,
-}
-
-/// The labels of a unit.
-#[derive(Default)]
-pub(super) struct Labels {
-    /// In which line each stands, by its name in upper case.
-    pub(super) lines: HashMap<String, usize>,
-    /// The statement that each leads to; those after the text's own labels are of IF.
-    pub(super) places: HashMap<usize, usize>,
-    /// Where the accumulator waits that is needed after a label.
-    pub(super) carried: HashMap<usize, Target>,
-    /// Jumps whose statement is not known yet: the jump, and the label.
-    pub(super) open: Vec<(usize, usize)>,
-    /// Labels of IF so far.
-    pub(super) of_ifs: usize,
-    /// Variables of the compiler's own so far.
-    pub(super) own: u32,
-}
-
-/// An IF that is open.
-pub(super) struct If {
-    pub(super) span: Span,
-    pub(super) condition: Option<Expr>,
-    /// What is done where the condition holds, once ELSE has come.
-    pub(super) first: Option<Vec<Stmt>>,
-    /// With jumps: the labels after its first part, and after it.
-    pub(super) labels: Option<(usize, usize)>,
-    pub(super) other: bool,
 }
