@@ -13,8 +13,6 @@ use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
 use unoclp_uno_sim::{Program, nano_file};
 
 const PROGRAMS: u32 = 600;
-/// On avr8js, where a program takes three times as long: simavr has all of them, and `cargo xtask soak` twenty times as many.
-const ON_AVR8JS: u32 = 200;
 /// As many as a quick run takes too: of fewer, chance decides how much they do.
 const LEAST_PROGRAMS: u32 = 150;
 const SCANS: u32 = 120;
@@ -23,28 +21,28 @@ const SEED: u64 = 0x0C19;
 
 #[test]
 fn random_programs_behave_alike() {
-    compare::<Uno>(common::firmware(), Board::UNO, PROGRAMS, 20);
+    compare::<Uno>(common::firmware(), Board::UNO, 20);
 }
 
 /// The same programs on avr8js, which the lab's page runs the firmware on.
 #[test]
 fn random_programs_behave_alike_on_avr8js() {
-    compare::<Avr8js>(common::firmware(), Board::UNO, ON_AVR8JS, 20);
+    compare::<Avr8js>(common::firmware(), Board::UNO, 20);
 }
 
 /// Of the programs that it takes; the others it refuses. Those are the longest, and the rest do less.
 #[test]
 fn random_programs_behave_alike_on_a_nano() {
     let firmware = Program::read(&nano_file().unwrap()).unwrap();
-    compare::<Uno>(firmware, Board::NANO, PROGRAMS, 50);
+    compare::<Uno>(firmware, Board::NANO, 50);
 }
 
 /// In one of `few` scans at least something must change.
-fn compare<S: Simulated>(firmware: Program, board: Board, programs: u32, few: u64) {
+fn compare<S: Simulated>(firmware: Program, board: Board, few: u64) {
     let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
     let mut uno = FirmwareEngine::<S>::new(firmware, Clock::Lockstep).unwrap();
     let (mut scans, mut changes, mut faults, mut refused) = (0u64, 0u64, 0u64, 0u32);
-    let programs = rounds(programs).max(LEAST_PROGRAMS);
+    let programs = rounds(PROGRAMS).max(LEAST_PROGRAMS);
     for n in 0..programs {
         let seed = seed.wrapping_add(n.into());
         let random = &mut Random::new(seed);
