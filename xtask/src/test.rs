@@ -90,12 +90,12 @@ pub fn run(args: &TestArgs) -> Result<()> {
         let ((programs, tally), ()) = both(
             || {
                 let programs = steps.take("compiling the tests", programs::compile)?;
-                let tally = test_pc(&steps, &programs, &round, is_asked)?;
+                let tally = test(&steps, &programs, &round, false, is_asked)?;
                 Ok((programs, tally))
             },
             || build_firmware().and_then(|()| build_lab(&steps)),
         )?;
-        let tally = tally.and(test_uno(&steps, &programs, &round, is_asked)?);
+        let tally = tally.and(test(&steps, &programs, &round, true, is_asked)?);
         return report(&steps, &tally, test_lab(&steps, &round)?);
     }
     steps.take("format", format)?;
@@ -110,9 +110,9 @@ pub fn run(args: &TestArgs) -> Result<()> {
             let programs = check_and_compile(&steps)?;
             compiled.open();
             let mut others = steps.take("examples in the documentation", test_examples)?;
-            let tally = test_pc(&steps, &programs, &round, is_wanted)?;
+            let tally = test(&steps, &programs, &round, false, is_wanted)?;
             is_firmware_built.pass()?;
-            let tally = tally.and(test_uno(&steps, &programs, &round, is_wanted)?);
+            let tally = tally.and(test(&steps, &programs, &round, true, is_wanted)?);
             others += test_lab(&steps, &round)?;
             is_page_built.pass()?;
             // This puts another `unoclp` in the place of the one that has been tested.
@@ -197,32 +197,20 @@ fn check_and_compile(steps: &Steps) -> Result<programs::Programs> {
     steps.take("compiling the tests", programs::compile)
 }
 
-/// Tests on the PC: these need no firmware that was built here.
-fn test_pc(
+/// Tests on the PC, or those that look at what was built here beside the tests: on the simulated UNO, and of xtask itself.
+fn test(
     steps: &Steps,
     programs: &programs::Programs,
     round: &Round,
+    on_uno: bool,
     is_wanted: impl Fn(&str) -> bool,
 ) -> Result<Tally> {
-    steps.take("tests on the PC", || {
-        programs.run(round, |name| {
-            !programs::needs_firmware(name) && is_wanted(name)
-        })
-    })
-}
-
-/// Tests on the simulated UNO, and of xtask itself.
-fn test_uno(
-    steps: &Steps,
-    programs: &programs::Programs,
-    round: &Round,
-    is_wanted: impl Fn(&str) -> bool,
-) -> Result<Tally> {
-    steps.take("tests on the simulated UNO", || {
-        programs.run(round, |name| {
-            programs::needs_firmware(name) && is_wanted(name)
-        })
-    })
+    let step = match on_uno {
+        true => "tests on the simulated UNO",
+        false => "tests on the PC",
+    };
+    let is_here = |name: &str| programs::needs_firmware(name) == on_uno && is_wanted(name);
+    steps.take(step, || programs.run(round, is_here))
 }
 
 fn test_examples() -> Result<Count> {
