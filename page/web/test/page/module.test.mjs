@@ -69,6 +69,14 @@ for (const file of ["unoclp.wasm", "unoclp-full.wasm"]) {
     let step = { send: [], until: 0 };
     while (step.send.length === 0) step = ask(call, { ask: "step", board, now: step.until, came: [] }).ok;
     assert.deepEqual(step.send.slice(0, 4), [1, 43, 14, 1]);
+    if (isFull) {
+      const { ok: timed } = ask(call, { ask: "check", ...IL });
+      assert.match(timed.program.code, /847978/);
+      assert.deepEqual(timed.colours.slice(0, 6), [0, 2, 4, 1, 2, 2]);
+      assert.match(ask(call, { ask: "ladder", ...IL, width: 64, speak: "pt" }).ok.svg, /Degrau 1/);
+      const misspelt = ask(call, { ask: "check", name: "a.il", text: "LDD I1" }).ok;
+      assert.notEqual(misspelt.problems[0].message.en, misspelt.problems[0].message.pt);
+    }
     // What is compiled takes the module that has everything, and the smaller one says so.
     for (const [text, language] of /** @type {const} */ ([[IL, "il"], [ST, "st"]])) {
       const compiled = ask(call, { ask: "check", ...text });
