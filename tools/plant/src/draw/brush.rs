@@ -65,6 +65,9 @@ impl Brush<'_> {
         attributes: &[Attribute],
         text: String,
     ) {
+        if self.skips() {
+            return;
+        }
         let element = self.element(tag, class, attributes, text);
         self.items.push(Item::Leaf(element));
     }
@@ -126,9 +129,6 @@ impl Brush<'_> {
         round: i32,
         class: impl Into<Cow<'static, str>>,
     ) {
-        if self.skips() {
-            return;
-        }
         let all = [
             ("x", Value::Number(x)),
             ("y", Value::Number(y)),
@@ -146,9 +146,6 @@ impl Brush<'_> {
     }
 
     pub fn circle(&mut self, [x, y]: [i32; 2], r: i32, class: impl Into<Cow<'static, str>>) {
-        if self.skips() {
-            return;
-        }
         let all = [
             ("cx", Value::Number(x)),
             ("cy", Value::Number(y)),
@@ -163,9 +160,6 @@ impl Brush<'_> {
         [rx, ry]: [i32; 2],
         class: impl Into<Cow<'static, str>>,
     ) {
-        if self.skips() {
-            return;
-        }
         let all = [
             ("cx", Value::Number(x)),
             ("cy", Value::Number(y)),
@@ -176,17 +170,11 @@ impl Brush<'_> {
     }
 
     pub fn path(&mut self, d: impl Into<Cow<'static, str>>, class: impl Into<Cow<'static, str>>) {
-        if self.skips() {
-            return;
-        }
         let all = [("d", Value::Text(d.into()))];
         self.add("path", class, &all, String::new());
     }
 
     pub fn line(&mut self, from: [i32; 2], to: [i32; 2], class: impl Into<Cow<'static, str>>) {
-        if self.skips() {
-            return;
-        }
         let all = [("d", Value::Line(from, to))];
         self.add("path", class, &all, String::new());
     }
