@@ -110,26 +110,30 @@ pub(crate) struct Passes {
 
 /// Whether the accumulator is needed before each line, and after the last: walks back from each line that reads it to
 /// those that fill it.
-pub(crate) fn needed(lines: &[Passes]) -> Vec<bool> {
+pub(crate) fn needed(lines: impl ExactSizeIterator<Item = Passes>) -> Vec<bool> {
+    let count = lines.len();
+    let mut goes_on = Vec::with_capacity(count);
+    let mut filled = Vec::with_capacity(count);
     let mut jumps: HashMap<usize, Vec<usize>> = HashMap::new();
     let mut todo = Vec::new();
-    for (at, line) in lines.iter().enumerate() {
+    for (at, line) in lines.enumerate() {
         if line.reads {
             todo.push(at);
         }
+        filled.push(line.fills && !line.reads);
+        goes_on.push(line.goes_on);
         if let Some(label) = line.jumps {
             jumps.entry(label).or_default().push(at);
         }
     }
-    let mut needs = vec![false; lines.len() + 1];
+    let mut needs = vec![false; count + 1];
     while let Some(at) = todo.pop() {
         if std::mem::replace(&mut needs[at], true) {
             continue;
         }
-        let before = at.checked_sub(1).filter(|&before| lines[before].goes_on);
+        let before = at.checked_sub(1).filter(|&before| goes_on[before]);
         let jumps = jumps.get(&at).into_iter().flatten().copied();
-        let leads = before.into_iter().chain(jumps);
-        todo.extend(leads.filter(|&one| lines[one].reads || !lines[one].fills));
+        todo.extend(before.into_iter().chain(jumps).filter(|&one| !filled[one]));
     }
     needs
 }

@@ -10,8 +10,7 @@ impl Walk<'_, '_, '_> {
     /// Finds the lines that need what the one before leaves.
     pub(super) fn find_needs(&mut self) {
         let lines = self.body.iter().enumerate();
-        let lines: Vec<Passes> = lines.map(|(at, stmt)| self.passes(stmt, at)).collect();
-        self.needs = needed(&lines);
+        self.needs = needed(lines.map(|(at, stmt)| self.passes(stmt, at)));
     }
 
     fn passes(&self, stmt: &Stmt, at: usize) -> Passes {

@@ -27,8 +27,7 @@ impl Walk<'_, '_, '_, '_> {
 
     /// Finds the lines that need what the one before leaves.
     pub(super) fn find_needs(&mut self) {
-        let lines: Vec<Passes> = self.lines.iter().map(|line| self.passes(line)).collect();
-        self.needs = needed(&lines);
+        self.needs = needed(self.lines.iter().map(|line| self.passes(line)));
     }
 
     fn passes(&self, line: &Line) -> Passes {
