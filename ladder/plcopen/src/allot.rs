@@ -216,3 +216,13 @@ fn is_number(kind: &str) -> bool {
     ];
     held.contains(&kind)
 }
+
+/// Whether a ladder's document can have this variable.
+pub(crate) fn is_of_ladder(variable: &Variable) -> bool {
+    let kind = variable.kind.to_uppercase();
+    let plain = kind.split('_').next().unwrap_or_default();
+    let blocks = [
+        "TON", "TOF", "TP", "CTU", "CTD", "CTUD", "SR", "RS", "R", "F",
+    ];
+    kind == "BOOL" || is_number(&kind) || blocks.contains(&plain)
+}

@@ -1,59 +1,34 @@
-//! Bodies of text: Structured Text and Instruction List, with the declarations that stand in XML.
+//! Projects that are compiled as a text: in Instruction List, or in Structured Text with ladder diagrams beside it.
 
 use crate::found::{Found, span};
 use crate::imported::Imported;
 use crate::project::{Pou, Project, Variable};
+use crate::st::{self, Units};
+use crate::text::Text;
+use crate::types::{Types, kind};
 use crate::xml::first;
-use roxmltree::Node;
-use unoclp_checked::SourceMap;
+use std::collections::{HashSet, VecDeque};
 use unoclp_core::Board;
 use unoclp_lang::{
-    Code, Diagnostic, Lines, Options, Span, TextLanguage, Trace, compile_text, compile_untyped,
-    has_types,
+    Code, Options, Span, TextLanguage, Word, compile_text, compile_untyped, has_types,
 };
 
-/// A text, and where its pieces stand in the XML.
-#[derive(Default)]
-struct Text {
-    text: String,
-    /// The first byte of each piece, the first byte of what it came from, and whether both go on alike.
-    pieces: Vec<(u32, Span, bool)>,
-}
-
-/// Compiles the programs of a project whose bodies are in this language.
+/// Compiles a project, whose bodies are all in Instruction List, or in none of them.
 pub(crate) fn compile(
     xml: &str,
     project: &Project<'_, '_>,
-    language: &str,
+    language: TextLanguage,
     board: Board,
     found: &mut Found,
     imported: &mut Imported,
 ) {
-    let mut written = Text::default();
-    let fine = project.others.iter().filter(|pou| match pou.body {
-        // One in another language is told of where something uses it: it is not there.
-        Some((own, _)) => own == language,
-        None => false,
-    });
-    if !project.globals.is_empty() {
-        written.section("VAR_GLOBAL", project.globals.iter());
-    }
-    let mut programs: Vec<&Pou<'_, '_>> = project.programs.iter().collect();
-    programs.dedup_by_key(|pou| pou.name.clone());
-    for pou in fine.chain(programs) {
-        written.pou(xml, pou);
-    }
-    if let Some(types) = project.types.filter(|types| types.has_children())
-        && let Some(of) = types.children().find(Node::is_element)
-    {
-        let name = ("the types of the project", "os tipos do projeto");
-        let what = ("a table", "uma tabela");
-        found.tell(Code::XmlBody, of, [name.into(), what.into()]);
+    let written = write(xml, project, language, found);
+    if found.has_errors() {
         return;
     }
     let text = &written.text;
     let (diagnostics, lines, program) = match language {
-        "IL" if !has_types(text) => {
+        TextLanguage::Il if !has_types(text) => {
             let options = Options {
                 dialect: None,
                 board,
@@ -62,11 +37,7 @@ pub(crate) fn compile(
             let file = made.file();
             (made.diagnostics, file, made.program)
         }
-        other => {
-            let language = match other {
-                "IL" => TextLanguage::Il,
-                _ => TextLanguage::St,
-            };
+        language => {
             let made = compile_text(text, language, board);
             let file = made.file();
             imported.variables = made.variables;
@@ -84,148 +55,178 @@ pub(crate) fn compile(
     imported.program = program.map(|(checked, map)| (checked, written.placed(xml, map)));
 }
 
-impl Text {
-    fn pou(&mut self, xml: &str, pou: &Pou<'_, '_>) {
-        let (begin, end) = match pou.kind.as_str() {
-            "function" => ("FUNCTION", "END_FUNCTION"),
-            "functionBlock" => ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK"),
-            _ => ("PROGRAM", "END_PROGRAM"),
-        };
-        let at = span(pou.node);
-        self.piece(&format!("{begin} {}", pou.name), at);
-        let returns = first(pou.node, "interface").and_then(|of| first(of, "returnType"));
-        if let Some(kind) = returns.and_then(|of| of.children().find(Node::is_element)) {
-            let name = kind.attribute("name").map(str::to_owned);
-            let name = name.unwrap_or_else(|| kind.tag_name().name().to_uppercase());
-            self.piece(&format!(" : {name}"), span(kind));
-        }
-        self.piece("\n", at);
-        let mut rest = &pou.variables[..];
-        while let Some(first) = rest.first() {
-            let like = |other: &&Variable| {
-                other.section == first.section
-                    && other.retain == first.retain
-                    && other.constant == first.constant
-            };
-            let count = rest.iter().take_while(like).count();
-            let section = match first.section.as_str() {
-                "inputVars" => "VAR_INPUT",
-                "outputVars" => "VAR_OUTPUT",
-                "inOutVars" => "VAR_IN_OUT",
-                "externalVars" => "VAR_EXTERNAL",
-                "tempVars" => "VAR_TEMP",
-                _ => "VAR",
-            };
-            self.section(section, rest[..count].iter());
-            rest = &rest[count..];
-        }
-        if let Some((_, body)) = pou.body {
-            self.body(xml, body);
-        }
-        self.piece(&format!("\n{end}\n"), at);
+/// The text of a project. Functions and blocks drawn as a ladder, or in a language that is not imported, count where
+/// something uses them.
+fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &mut Found) -> Text {
+    let mut written = Text::default();
+    let types = Types::of(project.types);
+    types.write(&mut written);
+    if !project.globals.is_empty() {
+        section(&mut written, "VAR_GLOBAL", project.globals.iter());
     }
-
-    fn section<'v>(&mut self, section: &str, variables: impl Iterator<Item = &'v Variable>) {
-        let mut variables = variables.peekable();
-        let Some(first) = variables.peek() else {
-            return;
+    let units = Units::of(&project.others, &types);
+    let own = if language == TextLanguage::Il {
+        "IL"
+    } else {
+        "ST"
+    };
+    let is_text = |pou: &&Pou<'_, '_>| pou.body.is_some_and(|(language, _)| language == own);
+    let mut waiting: VecDeque<&Pou<'_, '_>> = project.others.iter().filter(is_text).collect();
+    let mut programs: Vec<&Pou<'_, '_>> = project.programs.iter().collect();
+    programs.dedup_by_key(|pou| pou.name.clone());
+    waiting.extend(programs);
+    let mut named: HashSet<String> = HashSet::new();
+    named.extend(waiting.iter().map(|pou| pou.name.to_uppercase()));
+    while let Some(pou) = waiting.pop_front() {
+        let from = written.text.len();
+        let body = match pou.body {
+            Some((of_text, body)) if of_text == own => Some(body),
+            Some(("LD", body)) if own == "ST" => {
+                let ladder = st::write(pou, body, &project.globals, &units, found);
+                write_pou(&mut written, pou, &ladder.variables, |to| {
+                    for (piece, from) in &ladder.pieces {
+                        to.piece(piece, *from);
+                    }
+                });
+                None
+            }
+            other => {
+                refuse(pou, other.map_or("?", |(language, _)| language), own, found);
+                None
+            }
         };
-        let retain = if first.retain { " RETAIN" } else { "" };
-        let constant = if first.constant { " CONSTANT" } else { "" };
-        self.piece(&format!("{section}{retain}{constant}\n"), first.at);
-        let mut at = first.at;
-        for variable in variables {
-            let Variable { name, kind, .. } = variable;
-            at = variable.at;
-            let place = variable.address.as_ref();
-            let place = place.map_or(String::new(), |address| format!(" AT {address}"));
-            let first = variable.initial.as_ref();
-            let first = first.map_or(String::new(), |first| format!(" := {first}"));
-            self.piece(&format!("  {name}{place} : {kind}{first};\n"), at);
+        if let Some(body) = body {
+            write_pou(&mut written, pou, &[], |to| to.body(xml, body));
         }
-        self.piece("END_VAR\n", at);
-    }
-
-    /// The text of a body; where the file has it as it is, its bytes keep their places.
-    fn body(&mut self, xml: &str, body: Node<'_, '_>) {
-        for node in body.descendants().filter(Node::is_text) {
-            let written = node.text().unwrap_or_default();
-            let range = node.range();
-            let raw = xml.get(range.clone()).unwrap_or_default();
-            let own = raw.find(written).filter(|_| !written.is_empty());
-            match own {
-                Some(at) => {
-                    let start = (range.start + at) as u32;
-                    let end = start + written.len() as u32;
-                    self.pieces
-                        .push((self.text.len() as u32, Span { start, end }, true));
-                    self.text.push_str(written);
-                }
-                None => self.piece(written, span(node)),
+        let new = written.text.get(from..).unwrap_or_default();
+        let words = new.split(|c: char| !c.is_alphanumeric() && c != '_');
+        for word in words.filter(|word| !word.is_empty()) {
+            if let Some(other) = units.get(word)
+                && named.insert(word.to_uppercase())
+            {
+                waiting.push_back(other);
             }
         }
     }
+    written
+}
 
-    fn piece(&mut self, text: &str, from: Span) {
-        self.pieces.push((self.text.len() as u32, from, false));
-        self.text.push_str(text);
+/// Tells that a body cannot be imported, and what it is.
+pub(crate) fn refuse(pou: &Pou<'_, '_>, language: &str, others: &str, found: &mut Found) {
+    let (what, help): (Word, Word) = match language {
+        "FBD" => (
+            ("a function block diagram (FBD)", "um diagrama de blocos (FBD)").into(),
+            (
+                "draw it as a ladder (LD), or write it in ST",
+                "desenhe-o em ladder (LD), ou escreva-o em ST",
+            )
+                .into(),
+        ),
+        "SFC" => (
+            (
+                "a sequential function chart (SFC)",
+                "um gráfico sequencial (SFC)",
+            )
+                .into(),
+            (
+                "write its steps as a CASE in ST, or draw them as coils that are set and reset in LD",
+                "escreva as etapas como um CASE em ST, ou desenhe-as em LD como bobinas de set e reset",
+            )
+                .into(),
+        ),
+        "IL" | "ST" | "LD" => (
+            (
+                format!("in {language}, but the project is in {others}"),
+                format!("em {language}, mas o projeto está em {others}"),
+            )
+                .into(),
+            ("write it in ST", "escreva-o em ST").into(),
+        ),
+        "?" => (
+            ("missing", "vazio").into(),
+            ("draw or write what it does", "desenhe ou escreva o que ele faz").into(),
+        ),
+        "" => (
+            ("on several sheets", "dividido em várias folhas").into(),
+            ("put it on one sheet", "ponha-o em uma folha só").into(),
+        ),
+        other => (
+            other.into(),
+            ("write it in ST, or draw it in LD", "escreva-o em ST, ou desenhe-o em LD").into(),
+        ),
+    };
+    found.tell(
+        Code::XmlBody,
+        pou.node,
+        [pou.name.clone().into(), what, help],
+    );
+}
+
+fn write_pou(
+    to: &mut Text,
+    pou: &Pou<'_, '_>,
+    added: &[(String, String, Span)],
+    body: impl FnOnce(&mut Text),
+) {
+    let (begin, end) = match pou.kind.as_str() {
+        "function" => ("FUNCTION", "END_FUNCTION"),
+        "functionBlock" => ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK"),
+        _ => ("PROGRAM", "END_PROGRAM"),
+    };
+    let at = span(pou.node);
+    to.piece(&format!("{begin} {}", pou.name), at);
+    let returns = first(pou.node, "interface").and_then(|of| first(of, "returnType"));
+    if let Some(returns) = returns {
+        to.piece(&format!(" : {}", kind(returns)), span(returns));
     }
-
-    /// Where a byte of the text stands in the XML.
-    fn place(&self, byte: u32) -> (u32, bool, Span) {
-        let behind = self.pieces.partition_point(|(first, ..)| *first <= byte);
-        let piece = behind.checked_sub(1).and_then(|at| self.pieces.get(at));
-        match piece {
-            Some((first, from, true)) => ((from.start + byte - first).min(from.end), true, *from),
-            Some((_, from, false)) => (from.start, false, *from),
-            None => (0, false, Span::default()),
-        }
-    }
-
-    /// A diagnostic of the text as one of the XML.
-    fn moved(&self, diagnostic: &Diagnostic) -> Diagnostic {
-        let (start, is_alike, from) = self.place(diagnostic.span.start);
-        let length = diagnostic.span.end - diagnostic.span.start;
-        let span = match is_alike {
-            true => Span {
-                start,
-                end: (start + length).min(from.end),
-            },
-            false => from,
+    to.piece("\n", at);
+    let mut rest = &pou.variables[..];
+    while let Some(first) = rest.first() {
+        let like = |other: &&Variable| {
+            other.section == first.section
+                && other.retain == first.retain
+                && other.constant == first.constant
         };
-        diagnostic.at(span)
+        let count = rest.iter().take_while(like).count();
+        let name = match first.section.as_str() {
+            "inputVars" => "VAR_INPUT",
+            "outputVars" => "VAR_OUTPUT",
+            "inOutVars" => "VAR_IN_OUT",
+            "externalVars" => "VAR_EXTERNAL",
+            "tempVars" => "VAR_TEMP",
+            _ => "VAR",
+        };
+        section(to, name, rest[..count].iter());
+        rest = &rest[count..];
     }
-
-    /// The byte of this line and column of the text.
-    fn byte(&self, own: &Lines, line: usize, column: usize) -> u32 {
-        let start = own.start(line as u32);
-        let behind = self.text.get(start as usize..).unwrap_or_default();
-        let before = behind.chars().take(column.saturating_sub(1));
-        start + before.map(char::len_utf8).sum::<usize>() as u32
-    }
-
-    /// What the lines of the text show, as lines of the XML.
-    fn traced(&self, xml: &str, mut traces: Vec<Trace>) -> Vec<Trace> {
-        let (own, other) = (Lines::new(&self.text), Lines::new(xml));
-        for trace in &mut traces {
-            let (at, ..) = self.place(self.byte(&own, trace.line, trace.column));
-            let (line, column) = other.place(xml, at);
-            (trace.line, trace.column) = (line as usize, column as usize);
+    if !added.is_empty() {
+        to.piece("VAR\n", at);
+        for (name, kind, at) in added {
+            to.piece(&format!("  {name} : {kind};\n"), *at);
         }
-        traces
+        to.piece("END_VAR\n", at);
     }
+    body(to);
+    to.piece(&format!("\n{end}\n"), at);
+}
 
-    /// The map of the text as one of the XML.
-    fn placed(&self, xml: &str, mut map: SourceMap) -> SourceMap {
-        let (own, other) = (Lines::new(&self.text), Lines::new(xml));
-        for place in &mut map.steps {
-            let (at, ..) = self.place(self.byte(&own, place.line, place.column));
-            let (last, ..) = self.place(self.byte(&own, place.last, 1));
-            let (line, column) = other.place(xml, at);
-            let last = other.line(last).max(line);
-            (place.line, place.column, place.last) =
-                (line as usize, column as usize, last as usize);
-        }
-        map
+fn section<'v>(to: &mut Text, section: &str, variables: impl Iterator<Item = &'v Variable>) {
+    let mut variables = variables.peekable();
+    let Some(first) = variables.peek() else {
+        return;
+    };
+    let retain = if first.retain { " RETAIN" } else { "" };
+    let constant = if first.constant { " CONSTANT" } else { "" };
+    to.piece(&format!("{section}{retain}{constant}\n"), first.at);
+    let mut at = first.at;
+    for variable in variables {
+        let Variable { name, kind, .. } = variable;
+        at = variable.at;
+        let place = variable.address.as_ref();
+        let place = place.map_or(String::new(), |address| format!(" AT {address}"));
+        let first = variable.initial.as_ref();
+        let first = first.map_or(String::new(), |first| format!(" := {first}"));
+        to.piece(&format!("  {name}{place} : {kind}{first};\n"), at);
     }
+    to.piece("END_VAR\n", at);
 }

@@ -271,11 +271,7 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
 
     /// Tells something of an element.
     pub(crate) fn tell<const N: usize>(&mut self, code: Code, at: usize, words: [Word; N]) {
-        let who = [Word::from(self.network.name(at))];
-        let words: Vec<Word> = who.into_iter().chain(words).collect();
-        let place = span(self.network.elements[at].node);
-        self.found
-            .take(unoclp_lang::Diagnostic::new(code, place, words));
+        self.network.tell(self.found, code, at, words);
     }
 
     /// Tells that this is of one type where another is wanted.

@@ -7,7 +7,7 @@ use unoclp_lang::{Code, Diagnostic, Severity, Span, Told, Word};
 const MOST: usize = 100;
 
 /// The diagnostics of a file, as they are found.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Found {
     told: Told,
     errors: usize,
@@ -33,6 +33,23 @@ impl Found {
             true => self.told.listed.push(diagnostic),
             false => self.told.more += 1,
         }
+    }
+
+    /// The codes of the errors that are listed.
+    pub(crate) fn errors(&self) -> impl Iterator<Item = Code> {
+        let told = self.told.listed.iter();
+        let errors = told.filter(|told| told.severity() == Severity::Error);
+        errors.map(|told| told.code)
+    }
+
+    /// Whether each error has one of these codes.
+    pub(crate) fn is_only(&self, codes: &[Code]) -> bool {
+        self.errors().count() == self.errors && self.errors().all(|code| codes.contains(&code))
+    }
+
+    /// Keeps what has such a code.
+    pub(crate) fn retain(&mut self, keeps: impl Fn(&Code) -> bool) {
+        self.told.listed.retain(|told| keeps(&told.code));
     }
 
     pub(crate) fn has_errors(&self) -> bool {

@@ -6,13 +6,14 @@
 //! The way in ([`import`]):
 //!
 //! - `bounds`: what a text may hold; `xml`: text → tree; `project`: POUs, variables, what runs and in which order
-//! - `network`: the elements of a ladder body, and the wires between them
+//! - `network`: the elements of a ladder body, and the wires between them; `numbered`: its rungs, as a person counts them
 //! - `symbol`: what a variable can be; `points`, `allot`: which point of the board it gets; `scope`: what a name means in a POU
 //! - `circuit`: what stands in series and in parallel; `flow`: the way of the power to each output
 //! - `contacts`, `blocks`, `instances`, `values`: what stands on that way
 //! - `pins`, `unused`: wires that lead nowhere, and what they come from
 //! - `outputs`: the circuits of a network; `effects`: which of them may change places; `rungs`: circuits to rungs of a document; `program`: all of it; `checked`: the document as a board checks it
-//! - `body`: bodies of text, which `unoclp-lang` compiles
+//! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces stand in the file; `types`: types
+//!   as it spells them; `st`: ladder bodies as statements, where no document holds them
 //!
 //! The way out ([`export()`]): `export`.
 //!
@@ -35,6 +36,7 @@ mod found;
 mod imported;
 mod instances;
 mod network;
+mod numbered;
 mod outputs;
 mod pins;
 mod points;
@@ -42,7 +44,10 @@ mod program;
 mod project;
 mod rungs;
 mod scope;
+mod st;
 mod symbol;
+mod text;
+mod types;
 mod unused;
 mod values;
 mod xml;

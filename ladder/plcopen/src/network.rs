@@ -1,10 +1,11 @@
 //! The elements of a ladder body, and the wires between them.
 
-use crate::found::Found;
+use crate::found::{Found, span};
+use crate::numbered as rungs;
 use crate::xml::{all, first, says, text};
 use roxmltree::Node;
 use std::collections::HashMap;
-use unoclp_lang::Code;
+use unoclp_lang::{Code, Diagnostic, Word};
 
 /// A ladder body.
 pub(crate) struct Network<'a, 'x> {
@@ -13,6 +14,8 @@ pub(crate) struct Network<'a, 'x> {
     pub elements: Vec<Element<'a, 'x>>,
     /// What the outputs of each element lead to.
     pub readers: Vec<Vec<Reader<'a>>>,
+    /// In which rung each element stands, from 1; none of rails, labels and comments.
+    rungs: Vec<Option<usize>>,
     by_id: HashMap<&'a str, usize>,
     /// The first connector of each name.
     connectors: HashMap<&'a str, usize>,
@@ -23,7 +26,6 @@ pub(crate) struct Network<'a, 'x> {
 /// A contact, a coil, a block, or whatever else is drawn.
 pub(crate) struct Element<'a, 'x> {
     pub node: Node<'a, 'x>,
-    pub local: &'a str,
     /// The name of its XML element: `contact`.
     pub kind: &'x str,
     /// The variable of a contact or a coil, the expression of a value.
@@ -72,25 +74,33 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
             pou: pou.to_owned(),
             elements: Vec::new(),
             readers: Vec::new(),
+            rungs: Vec::new(),
             by_id: HashMap::new(),
             connectors: HashMap::new(),
             continued: HashMap::new(),
         };
         let nodes: Vec<Node<'_, '_>> = body.children().filter(Node::is_element).collect();
+        // What is wrong is told once it is known in which rung it stands.
+        let mut wrong = Vec::new();
         for (index, node) in nodes.iter().enumerate() {
             let Some(local) = node.attribute("localId") else {
                 continue;
             };
             if network.by_id.insert(local, index).is_some() {
-                let who = network.named(local).into();
-                found.tell(Code::XmlSameId, *node, [who]);
+                wrong.push((index, Code::XmlSameId, *node, None));
             }
         }
-        for node in nodes {
-            let element = network.element(node, found);
+        for (index, node) in nodes.into_iter().enumerate() {
+            let element = network.element(index, node, &mut wrong);
             network.elements.push(element);
         }
         network.link();
+        network.rungs = rungs::numbers(&network.elements);
+        for (index, code, node, word) in wrong {
+            let mut words = vec![network.name(index).into()];
+            words.extend(word);
+            found.take(Diagnostic::new(code, span(node), words));
+        }
         network
     }
 
@@ -129,6 +139,11 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
         }
     }
 
+    /// The rung in which an element stands, from 1.
+    pub(crate) fn rung(&self, element: usize) -> usize {
+        self.rungs.get(element).copied().flatten().unwrap_or(0)
+    }
+
     /// Whether power ends at an element that drives nothing: a right rail, or a connector that nothing continues.
     pub(crate) fn is_end(&self, at: usize) -> bool {
         match self.elements[at].kind {
@@ -138,23 +153,42 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
         }
     }
 
-    /// `Main, element 12`.
+    /// `Main`, rung 3, contact `a`.
     pub(crate) fn name(&self, element: usize) -> (String, String) {
-        match self.elements.get(element) {
-            Some(element) => self.named(element.local),
-            None => (format!("`{}`", self.pou), format!("`{}`", self.pou)),
+        let pou = &self.pou;
+        let Some(drawn) = self.elements.get(element) else {
+            return (format!("`{pou}`"), format!("`{pou}`"));
+        };
+        let (en, pt) = drawn.called();
+        match self.rungs.get(element).copied().flatten() {
+            Some(rung) => (
+                format!("`{pou}`, rung {rung}, {en}"),
+                format!("`{pou}`, linha {rung}, {pt}"),
+            ),
+            None => (format!("`{pou}`, {en}"), format!("`{pou}`, {pt}")),
         }
     }
 
-    fn named(&self, local: &str) -> (String, String) {
-        let pou = &self.pou;
-        (
-            format!("`{pou}`, element {local}"),
-            format!("`{pou}`, elemento {local}"),
-        )
+    /// Tells something of an element.
+    pub(crate) fn tell<const N: usize>(
+        &self,
+        found: &mut Found,
+        code: Code,
+        at: usize,
+        words: [Word; N],
+    ) {
+        let who = [Word::from(self.name(at))];
+        let words: Vec<Word> = who.into_iter().chain(words).collect();
+        let place = span(self.elements[at].node);
+        found.take(Diagnostic::new(code, place, words));
     }
 
-    fn element(&self, node: Node<'a, 'x>, found: &mut Found) -> Element<'a, 'x> {
+    fn element(
+        &self,
+        index: usize,
+        node: Node<'a, 'x>,
+        wrong: &mut Vec<Wrong<'a, 'x>>,
+    ) -> Element<'a, 'x> {
         let number = |of: Node<'_, '_>, name| {
             let number: f64 = of
                 .attribute(name)
@@ -166,8 +200,12 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
         let written = first(node, "variable").or_else(|| first(node, "expression"));
         let mut written = written.map_or(String::new(), text).trim().to_owned();
         if written.len() > LONGEST {
-            let words = [&*written.len().to_string(), "bytes"].join(" ").into();
-            found.tell(Code::XmlTooLarge, node, [words]);
+            wrong.push((
+                index,
+                Code::XmlLong,
+                node,
+                Some(written.len().to_string().into()),
+            ));
             written = written.chars().take(SHOWN).collect();
         }
         let order = node.attribute("executionOrderId");
@@ -175,14 +213,13 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
             node,
             written,
             order: order.and_then(|n| n.parse().ok()).filter(|n| *n > 0),
-            local: node.attribute("localId").unwrap_or("?"),
             kind: node.tag_name().name(),
             place,
             inputs: Vec::new(),
             outputs: Vec::new(),
         };
         for of in all(node, "connectionPointIn") {
-            let pin = self.pin(node, of, "", found);
+            let pin = self.pin(index, of, "", wrong);
             // A right rail has many; they are one to us.
             match element.inputs.first_mut() {
                 Some(first) => first.wires.extend(pin.wires),
@@ -197,7 +234,7 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
             for variable in variables {
                 let name = variable.attribute("formalParameter").unwrap_or_default();
                 for of in all(variable, "connectionPointIn") {
-                    let mut pin = self.pin(node, of, name, found);
+                    let mut pin = self.pin(index, of, name, wrong);
                     pin.negated = says(variable, "negated");
                     pin.edge = edge(variable);
                     element.inputs.push(pin);
@@ -212,10 +249,10 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
 
     fn pin(
         &self,
-        element: Node<'a, 'x>,
+        index: usize,
         of: Node<'a, 'x>,
         name: &'a str,
-        found: &mut Found,
+        wrong: &mut Vec<Wrong<'a, 'x>>,
     ) -> Pin<'a> {
         let mut wires = Vec::new();
         for connection in all(of, "connection") {
@@ -223,11 +260,7 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
             let output = connection.attribute("formalParameter").unwrap_or_default();
             match self.by_id.get(id) {
                 Some(&from) => wires.push(Wire { from, output }),
-                None => {
-                    let local = element.attribute("localId").unwrap_or("?");
-                    let who = self.named(local);
-                    found.tell(Code::XmlWire, connection, [who.into(), id.into()]);
-                }
+                None => wrong.push((index, Code::XmlWire, connection, None)),
             }
         }
         Pin {
@@ -239,7 +272,36 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
     }
 }
 
+/// What is wrong with an element: at which place in the file, and a word for it.
+type Wrong<'a, 'x> = (usize, Code, Node<'a, 'x>, Option<Word>);
+
 impl<'a> Element<'a, '_> {
+    /// What it is called in a message: by its instance, its type, its variable.
+    fn called(&self) -> (String, String) {
+        let attribute = |name| self.node.attribute(name).unwrap_or_default();
+        let block = match attribute("instanceName") {
+            "" => format!("`{}`", attribute("typeName")),
+            instance => format!("`{instance}` ({})", attribute("typeName")),
+        };
+        let (en, pt, name) = match self.kind {
+            "block" => return (format!("block {block}"), format!("bloco {block}")),
+            "contact" => ("contact", "contato", &*self.written),
+            "coil" => ("coil", "bobina", &*self.written),
+            "inVariable" => ("value", "valor", &*self.written),
+            "outVariable" | "inOutVariable" => ("variable", "variável", &*self.written),
+            "jump" => ("jump to", "desvio para", attribute("label")),
+            "label" => ("label", "rótulo", attribute("label")),
+            "connector" | "continuation" => ("connector", "conector", attribute("name")),
+            "return" => return ("return".to_owned(), "retorno".to_owned()),
+            "leftPowerRail" | "rightPowerRail" => return ("rail".to_owned(), "barra".to_owned()),
+            kind => return (format!("element {kind}"), format!("elemento {kind}")),
+        };
+        match name {
+            "" => (en.to_owned(), pt.to_owned()),
+            name => (format!("{en} `{name}`"), format!("{pt} `{name}`")),
+        }
+    }
+
     /// The input with this name.
     pub(crate) fn input(&self, name: &str) -> Option<&Pin<'a>> {
         let mut inputs = self.inputs.iter();

@@ -13,9 +13,15 @@ pub(crate) fn circuits(flow: &mut Flow<'_, '_, '_>) -> Vec<Circuit> {
     let network = flow.network;
     let mut made = Made::default();
     let mut labels = labels(network).into_iter().peekable();
-    pins::check(flow);
-    unused::check(flow);
-    for sink in sinks(flow) {
+    pins::check(network, flow.found);
+    unused::check(network, flow.found, &|element: &Element<'_, '_>| {
+        element.remembers()
+    });
+    for at in unknown(network) {
+        let kind = network.elements[at].kind;
+        flow.tell(Code::XmlElement, at, [kind.into()]);
+    }
+    for sink in sinks(network, &|element: &Element<'_, '_>| element.remembers()) {
         let top = network.elements[sink].place.0;
         while labels.next_if(|label| *label <= top).is_some() {
             (made.since, made.jump) = (made.circuits.len(), None);
@@ -200,22 +206,21 @@ fn once(network: &Network<'_, '_>, circuits: &[Circuit], flow: &mut Flow<'_, '_,
 }
 
 /// The elements at which power ends, in the order in which they run: from top to bottom, between two labels or jumps
-/// those first that have an order.
-fn sinks(flow: &mut Flow<'_, '_, '_>) -> Vec<usize> {
-    let network = flow.network;
+/// those first that have an order. What is a function block, is asked.
+pub(crate) fn sinks(
+    network: &Network<'_, '_>,
+    is_block: &dyn Fn(&Element<'_, '_>) -> bool,
+) -> Vec<usize> {
     let mut sinks = Vec::new();
     for (at, element) in network.elements.iter().enumerate() {
         let mut readers = network.readers[at].iter();
         let leads_on = readers.any(|reader| !network.is_end(reader.at));
         match element.kind {
-            "block" if element.order.is_some() && element.remembers() => sinks.push(at),
+            "block" if element.order.is_some() && is_block(element) => sinks.push(at),
             "coil" | "contact" | "block" if !leads_on => sinks.push(at),
-            "coil" | "contact" | "block" => {}
             "inOutVariable" if element.wires("").is_empty() => {}
             "outVariable" | "inOutVariable" | "jump" | "return" => sinks.push(at),
-            "leftPowerRail" | "rightPowerRail" | "comment" | "label" | "inVariable" => {}
-            "connector" | "continuation" => {}
-            kind => flow.tell(Code::XmlElement, at, [kind.into()]),
+            _ => {}
         }
     }
     let parts = |at: &usize| matches!(network.elements[*at].kind, "label" | "jump" | "return");
@@ -231,6 +236,21 @@ fn sinks(flow: &mut Flow<'_, '_, '_>) -> Vec<usize> {
         (part, parts(&at), order, place(at))
     });
     sinks
+}
+
+/// The elements that no ladder has.
+pub(crate) fn unknown(network: &Network<'_, '_>) -> Vec<usize> {
+    let elements = network.elements.iter().enumerate();
+    let is_known = |element: &Element<'_, '_>| match element.kind {
+        "coil" | "contact" | "block" | "inVariable" | "outVariable" | "inOutVariable" => true,
+        "jump" | "return" | "label" | "comment" | "connector" | "continuation" => true,
+        "leftPowerRail" | "rightPowerRail" => true,
+        // What a maker adds beside the ladder, such as a title of a rung.
+        "vendorElement" => element.inputs.is_empty() && element.outputs.is_empty(),
+        _ => false,
+    };
+    let unknown = elements.filter(|(_, element)| !is_known(element));
+    unknown.map(|(at, _)| at).collect()
 }
 
 /// The order of an output: its own, else that of the function whose result it takes.

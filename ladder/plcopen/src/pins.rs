@@ -1,6 +1,7 @@
 //! The inputs that blocks have: a wire to another one would be lost.
 
-use crate::flow::Flow;
+use crate::found::Found;
+use crate::network::Network;
 use unoclp_lang::Code;
 
 /// The inputs of a block besides EN; none of one that is not imported. `IN1` stands for IN1, IN2 …
@@ -28,8 +29,7 @@ pub(crate) fn is_numbered(name: &str) -> bool {
 }
 
 /// Tells of wires that lead to inputs which their block does not have.
-pub(crate) fn check(flow: &mut Flow<'_, '_, '_>) {
-    let network = flow.network;
+pub(crate) fn check(network: &Network<'_, '_>, found: &mut Found) {
     let blocks = network.elements.iter().enumerate();
     for (at, block) in blocks.filter(|(_, element)| element.kind == "block") {
         let name = block.block();
@@ -41,7 +41,8 @@ pub(crate) fn check(flow: &mut Flow<'_, '_, '_>) {
                 known => known.contains(&&*input),
             };
             if !has && input != "EN" {
-                flow.tell(Code::XmlInput, at, [name.as_str().into(), pin.name.into()]);
+                let words = [name.as_str().into(), pin.name.into()];
+                network.tell(found, Code::XmlInput, at, words);
             }
         }
     }

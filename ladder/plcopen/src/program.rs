@@ -1,6 +1,6 @@
 //! A project to a checked program.
 
-use crate::allot::Allotted;
+use crate::allot::{Allotted, is_of_ladder};
 use crate::body;
 use crate::checked::Origins;
 use crate::circuit::{Leaf, Part};
@@ -9,6 +9,7 @@ use crate::found::Found;
 use crate::imported::Imported;
 use crate::network::Network;
 use crate::outputs::circuits;
+use crate::pins;
 use crate::points::Points;
 use crate::project::{Pou, Project};
 use crate::rungs::Rungs;
@@ -22,7 +23,7 @@ use unoclp_core::Board;
 use unoclp_core::isa::{Class, Kind, OUTPUT_OPERAND, Opcode};
 use unoclp_draw::Names;
 use unoclp_draw::edit::{Document, Draft, Id, Node, Series, Step};
-use unoclp_lang::{Code, Span, Told};
+use unoclp_lang::{Code, Span, TextLanguage, Told};
 use unoclp_point::Address;
 
 /// Reads a project for a board.
@@ -39,10 +40,12 @@ pub fn import(text: &str, board: Board) -> Imported {
     if let Some(tree) = xml::parse(text, &mut found)
         && let Some(project) = Project::read(tree.root_element(), &mut found)
     {
-        match language(&project, &mut found) {
-            Some("LD") => ladder(text, &project, board, &mut found, &mut imported),
-            Some(of_text) => {
-                body::compile(text, &project, of_text, board, &mut found, &mut imported);
+        match way(&project, &mut found) {
+            Some(Way::Ladder) => {
+                found = drawn(text, &project, board, found, &mut imported);
+            }
+            Some(Way::Text(language)) => {
+                body::compile(text, &project, language, board, &mut found, &mut imported);
             }
             None => {}
         }
@@ -57,6 +60,63 @@ pub fn import(text: &str, board: Board) -> Imported {
     imported
 }
 
+/// What becomes of ladder diagrams: a document, or Structured Text where no document holds them.
+fn drawn(
+    text: &str,
+    project: &Project<'_, '_>,
+    board: Board,
+    before: Found,
+    imported: &mut Imported,
+) -> Found {
+    let mut found = before.clone();
+    ladder(text, project, board, &mut found, imported);
+    if !found.has_errors() || !found.is_only(&AS_TEXT) {
+        return found;
+    }
+    let mut as_text = before;
+    body::compile(
+        text,
+        project,
+        TextLanguage::St,
+        board,
+        &mut as_text,
+        imported,
+    );
+    // A mistake is told in the words of the ladder, but for what only a text has.
+    let is_plain = project
+        .programs
+        .iter()
+        .flat_map(|pou| &pou.variables)
+        .chain(&project.globals)
+        .all(is_of_ladder);
+    let differs = |code: &Code| !BY_TEXT.contains(code);
+    if as_text.has_errors() && is_plain && found.errors().any(|code| differs(&code)) {
+        found.retain(differs);
+        return found;
+    }
+    as_text
+}
+
+/// What a document refuses and a text may take.
+const AS_TEXT: [Code; 8] = [
+    Code::XmlLoop,
+    Code::XmlTangle,
+    Code::XmlEnable,
+    Code::XmlType,
+    Code::XmlBlock,
+    Code::XmlNoneLeft,
+    Code::XmlUndeclared,
+    Code::XmlValue,
+];
+
+/// What is no mistake in a text.
+const BY_TEXT: [Code; 4] = [
+    Code::XmlLoop,
+    Code::XmlTangle,
+    Code::XmlEnable,
+    Code::XmlBlock,
+];
+
 /// Whether a program reads an input of the board or drives an output.
 fn touches_points(program: &Checked) -> bool {
     let mut steps = program.program().steps();
@@ -67,33 +127,57 @@ fn touches_points(program: &Checked) -> bool {
     })
 }
 
-/// The language of all programs.
-fn language<'x>(project: &Project<'_, 'x>, found: &mut Found) -> Option<&'x str> {
-    let mut language: Option<(&str, &Pou<'_, '_>)> = None;
+/// How a project is compiled.
+enum Way {
+    /// As a document of the ladder editor.
+    Ladder,
+    /// As a text.
+    Text(TextLanguage),
+}
+
+/// How a project is compiled; none where one of its programs cannot be, which is told.
+fn way(project: &Project<'_, '_>, found: &mut Found) -> Option<Way> {
+    let mut languages = Vec::new();
     for pou in &project.programs {
         let own = pou.body.map_or("?", |(language, _)| language);
         if all(pou.node, "body").nth(1).is_some() {
-            let sheets = ("on several sheets", "em várias folhas").into();
-            found.tell(Code::XmlBody, pou.node, [pou.name.clone().into(), sheets]);
-            continue;
-        }
-        if !matches!(own, "LD" | "ST" | "IL") {
-            found.tell(
-                Code::XmlBody,
-                pou.node,
-                [pou.name.clone().into(), own.into()],
-            );
-            continue;
-        }
-        match language {
-            Some((other, first)) if other != own => {
-                let words = [&*first.name, other, &*pou.name, own].map(Into::into);
-                found.tell(Code::XmlMixed, pou.node, words);
-            }
-            _ => language = Some((own, pou)),
+            body::refuse(pou, "", "", found);
+        } else if !matches!(own, "LD" | "ST" | "IL") {
+            body::refuse(pou, own, "", found);
+        } else {
+            languages.push((own, pou));
         }
     }
-    language.map(|(own, _)| own).filter(|_| !found.has_errors())
+    let (own, first) = languages.first()?;
+    if let Some((other, pou)) = languages
+        .iter()
+        .find(|(l, _)| (*l == "IL") != (*own == "IL"))
+    {
+        let words = [&*first.name, own, &*pou.name, other].map(Into::into);
+        found.tell(Code::XmlMixed, pou.node, words);
+    }
+    if found.has_errors() {
+        return None;
+    }
+    let is_drawn = languages.iter().all(|(language, _)| *language == "LD");
+    Some(match *own {
+        "IL" => Way::Text(TextLanguage::Il),
+        _ if is_drawn && !languages.iter().any(|(_, pou)| has_others(pou)) => Way::Ladder,
+        _ => Way::Text(TextLanguage::St),
+    })
+}
+
+/// Whether a ladder has blocks that no document has.
+fn has_others(pou: &Pou<'_, '_>) -> bool {
+    let Some((_, body)) = pou.body else {
+        return false;
+    };
+    let mut blocks = all(body, "block");
+    let is_other = |block: roxmltree::Node<'_, '_>| {
+        let name = block.attribute("typeName").unwrap_or_default();
+        pins::inputs(&name.to_uppercase()).is_none()
+    };
+    blocks.any(is_other)
 }
 
 fn ladder(

@@ -1,7 +1,8 @@
 //! A project: its programs with their variables, in the order in which they run.
 
 use crate::found::{Found, span};
-use crate::xml::{all, first, says, text};
+use crate::types::{initial, kind};
+use crate::xml::{all, first, says};
 use roxmltree::Node;
 use std::collections::{HashMap, HashSet};
 use unoclp_lang::{Code, Span};
@@ -164,49 +165,4 @@ fn variables(section: Node<'_, '_>) -> Vec<Variable> {
             at: span(node),
         })
         .collect()
-}
-
-/// What a type is called.
-fn kind(of: Node<'_, '_>) -> String {
-    let Some(kind) = of.children().find(Node::is_element) else {
-        return text(of).trim().to_uppercase();
-    };
-    match kind.tag_name().name() {
-        "derived" => kind.attribute("name").unwrap_or_default().to_owned(),
-        "array" => {
-            let dimensions = all(kind, "dimension");
-            let bounds = dimensions.map(|dimension| {
-                let bound = |name| dimension.attribute(name).unwrap_or_default();
-                format!("{}..{}", bound("lower"), bound("upper"))
-            });
-            let bounds: Vec<String> = bounds.collect();
-            // The base of an array is no array, so this goes one deeper at most.
-            let base =
-                first(kind, "baseType").and_then(|base| base.children().find(Node::is_element));
-            let base = base.map_or(String::new(), |base| match base.tag_name().name() {
-                "derived" => base.attribute("name").unwrap_or_default().to_owned(),
-                name => name.to_uppercase(),
-            });
-            format!("ARRAY [{}] OF {base}", bounds.join(", "))
-        }
-        "string" | "wstring" => match kind.attribute("length") {
-            Some(length) => format!("STRING[{length}]"),
-            None => "STRING".to_owned(),
-        },
-        name => name.to_uppercase(),
-    }
-}
-
-/// The first value of a variable, as the text of a language has it.
-fn initial(of: Node<'_, '_>) -> Option<String> {
-    let value = of.children().find(Node::is_element)?;
-    match value.tag_name().name() {
-        "simpleValue" => value.attribute("value").map(str::to_owned),
-        "arrayValue" => {
-            let values = all(value, "value").filter_map(initial);
-            let values: Vec<String> = values.collect();
-            Some(format!("[{}]", values.join(", ")))
-        }
-        _ => Some("?".to_owned()),
-    }
 }

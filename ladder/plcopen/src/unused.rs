@@ -1,15 +1,20 @@
 //! What of a network does nothing: it leads to no output, or nothing leads to it.
 
-use crate::flow::Flow;
+use crate::found::Found;
 use crate::network::{Element, Network};
 use crate::pins::inputs;
 use std::collections::HashSet;
 use unoclp_lang::{Code, Word};
 
 /// Tells of networks without an output, at their ends; of circles that nothing leaves; of labels that no jump leads to.
-pub(crate) fn check(flow: &mut Flow<'_, '_, '_>) {
-    let network = flow.network;
-    let outputs = (0..network.elements.len()).filter(|at| acts(&network.elements[*at]));
+/// What is a function block, is asked.
+pub(crate) fn check(
+    network: &Network<'_, '_>,
+    found: &mut Found,
+    is_block: &dyn Fn(&Element<'_, '_>) -> bool,
+) {
+    let acts = |at: &usize| acts(&network.elements[*at], is_block);
+    let outputs = (0..network.elements.len()).filter(acts);
     let mut does = vec![false; network.elements.len()];
     leading_to(network, outputs, &mut does);
     let idle: Vec<usize> = (0..network.elements.len())
@@ -19,7 +24,7 @@ pub(crate) fn check(flow: &mut Flow<'_, '_, '_>) {
     let ends: Vec<usize> = ends.copied().collect();
     for &end in &ends {
         let what = what(&network.elements[end]);
-        flow.tell(Code::XmlNoSink, end, [what]);
+        network.tell(found, Code::XmlNoSink, end, [what]);
     }
     leading_to(network, ends.into_iter(), &mut does);
     for at in idle {
@@ -27,18 +32,18 @@ pub(crate) fn check(flow: &mut Flow<'_, '_, '_>) {
             continue;
         }
         let inside = circle(network, at);
-        flow.tell(Code::XmlLoop, inside, []);
+        network.tell(found, Code::XmlLoop, inside, []);
         leading_to(network, std::iter::once(inside), &mut does);
     }
-    labels(flow);
+    labels(network, found);
 }
 
 /// Whether an element does something by itself.
-fn acts(element: &Element<'_, '_>) -> bool {
+fn acts(element: &Element<'_, '_>, is_block: &dyn Fn(&Element<'_, '_>) -> bool) -> bool {
     match element.kind {
         "inOutVariable" => !element.wires("").is_empty(),
         // One that is not imported is told otherwise.
-        "block" => element.remembers() || inputs(&element.block()).is_none(),
+        "block" => is_block(element) || inputs(&element.block()).is_none(),
         kind => matches!(kind, "coil" | "outVariable" | "jump" | "return"),
     }
 }
@@ -95,8 +100,7 @@ fn circle(network: &Network<'_, '_>, mut at: usize) -> usize {
     at
 }
 
-fn labels(flow: &mut Flow<'_, '_, '_>) {
-    let network = flow.network;
+fn labels(network: &Network<'_, '_>, found: &mut Found) {
     let named = |kind| {
         let elements = network.elements.iter().enumerate();
         elements
@@ -106,7 +110,7 @@ fn labels(flow: &mut Flow<'_, '_, '_>) {
     let jumps: HashSet<&str> = named("jump").map(|(_, label)| label).collect();
     for (at, label) in named("label") {
         if !jumps.contains(label) {
-            flow.tell(Code::XmlNoJump, at, [label.into()]);
+            network.tell(found, Code::XmlNoJump, at, [label.into()]);
         }
     }
 }

@@ -66,7 +66,11 @@ fn deep_and_large_projects_end() {
     let beside: String = (1..5_000).map(|id| contact(id, &[0])).collect();
     for body in [series, tangled, beside] {
         let made = import(&project("", &format!("<LD>{rail}{body}</LD>")), Board::UNO);
-        assert!(made.program.is_none() && !made.diagnostics.is_empty());
+        assert!(
+            made.program.is_none() && !made.diagnostics.is_empty(),
+            "{:?}",
+            made.diagnostics.iter().take(3).collect::<Vec<_>>()
+        );
     }
     let deep = format!("{}{}", "<a>".repeat(100_000), "</a>".repeat(100_000));
     for text in [deep, "<a>".repeat(200_000), " ".repeat(2_000_000)] {

@@ -20,13 +20,13 @@ macro_rules! xml_rows {
         "crie uma POU do tipo program e desenhe nela";
     504 XmlBody Error
         "the body of `{0}` is {1}, which cannot be imported"
-        "draw it as LD, or write it as ST or IL"
+        "{2}"
         "o corpo de `{0}` é {1}, que não pode ser importado"
-        "desenhe-o em LD, ou escreva-o em ST ou IL";
+        "{2}";
     505 XmlMixed Error
-        "`{0}` is in {1}, but `{2}` is in {3}: all programs of a project must be in one language"
+        "`{0}` is in {1}, but `{2}` is in {3}: programs in IL cannot stand beside others"
         "write all programs in {1}, or all in {3}"
-        "`{0}` está em {1}, mas `{2}` está em {3}: todos os programas de um projeto devem estar na mesma linguagem"
+        "`{0}` está em {1}, mas `{2}` está em {3}: programas em IL não podem ficar ao lado de outros"
         "escreva todos os programas em {1}, ou todos em {3}";
     506 XmlAddress Error
         "{0}: there is no point `{1}` on this board"
@@ -45,7 +45,7 @@ macro_rules! xml_rows {
         "declare-o na tabela de variáveis";
     509 XmlBlock Error
         "{0}: the block `{1}` cannot be imported"
-        "use contacts, coils, TON TOF TP, CTU CTD CTUD, SR RS, R_TRIG F_TRIG, GT GE EQ NE LE LT, MOVE ADD SUB MUL DIV MOD or AND OR XOR NOT"
+        "add a function or a function block of this name to the project, or use blocks of the norm (docs/structured-text.md)"
         "{0}: o bloco `{1}` não pode ser importado"
         "use contatos, bobinas, TON TOF TP, CTU CTD CTUD, SR RS, R_TRIG F_TRIG, GT GE EQ NE LE LT, MOVE ADD SUB MUL DIV MOD ou AND OR XOR NOT";
     510 XmlPin Error
@@ -59,9 +59,9 @@ macro_rules! xml_rows {
         "{0}: `{1}` não é {2} válido"
         "";
     512 XmlWire Error
-        "{0}: a wire comes from element {1}, which has no such output"
+        "{0}: a wire comes from an element that the file does not have"
         "draw the wire again"
-        "{0}: um fio vem do elemento {1}, que não tem essa saída"
+        "{0}: um fio vem de um elemento que o arquivo não tem"
         "puxe o fio outra vez";
     513 XmlLoop Error
         "{0}: the wires lead back to where they began"
@@ -149,9 +149,9 @@ macro_rules! xml_rows {
         "{0}: a ordem de execução {1} é posterior à de um elemento que usa o resultado dele; por isso ele é chamado antes"
         "dê a ele um número menor que o desse elemento";
     530 XmlSameId Error
-        "{0}: another element also has this number"
+        "{0}: another element has the same `localId`"
         "draw one of the two again"
-        "{0}: outro elemento também tem esse número"
+        "{0}: outro elemento tem o mesmo `localId`"
         "desenhe de novo um dos dois";
     531 XmlFirst Warning
         "{0}: the initial value of `{1}` is ignored, because inputs are read before the first scan"
@@ -163,6 +163,16 @@ macro_rules! xml_rows {
         "use a number, a BOOL without an address or %MX7.0 to %MX7.7, or remove retain"
         "{0}: `{1}` não pode ser retido em uma queda de energia"
         "use um número, um BOOL sem endereço ou %MX7.0 a %MX7.7, ou tire o retain";
+    533 XmlLong Error
+        "{0}: the name or the expression has {1} bytes, and 1000 at most are read"
+        "write it shorter, or compute a part of it before"
+        "{0}: o nome ou a expressão tem {1} bytes, e são lidos no máximo 1000"
+        "escreva-o mais curto, ou calcule antes uma parte dele";
+    534 XmlJump Error
+        "{0}: a jump cannot stand in a ladder with wires that lead back, blocks of the project's own, conversions, SEL and the like"
+        "put the condition of the jump into the rungs that it passes over, or into EN of their blocks"
+        "{0}: um desvio não pode ficar em um ladder com fios que voltam, blocos do próprio projeto, conversões, SEL e semelhantes"
+        "ponha a condição do desvio nas linhas que ele salta, ou em EN dos blocos delas";
         }
     };
 }

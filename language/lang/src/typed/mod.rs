@@ -56,6 +56,7 @@ pub use expression::{
     Binary, Call, Compare, Convert, Expr, ExprKind, Extra, Index, Input, Output, Place, Root,
     Store, Unary,
 };
+pub use build::is_function;
 pub(crate) use standard::counter;
 pub use standard::{Part, Role, Standard};
 pub use statement::{Arm, Codes, For, Order, Stmt, StmtKind};

@@ -108,7 +108,7 @@ fn conversion_named(name: &str) -> Option<(Option<&str>, Base)> {
 }
 
 /// Whether this is a standard function, or has the form of a conversion.
-pub(crate) fn is_function(name: &str) -> bool {
+pub fn is_function(name: &str) -> bool {
     let key = name.to_uppercase();
     let truncating = key.contains("_TRUNC_");
     TABLE.iter().any(|row| row.0 == key) || conversion_named(&key).is_some() || truncating

@@ -62,7 +62,7 @@ mod words;
 
 pub(crate) use arguments::{Argument, Given};
 pub(crate) use builder::{Builder, Draft, MOST_CELLS};
-pub(crate) use functions::is_function;
+pub use functions::is_function;
 pub(crate) use named::{Letters, Named, Section, Traits};
 pub(crate) use places::Target;
 pub(crate) use words::both;

@@ -1,0 +1,167 @@
+//! Calls of function blocks.
+
+use super::Body;
+use super::sentences::{Group, Piece, piece};
+use super::units::standard;
+use crate::circuit::Circuit;
+use crate::found::span;
+use crate::network::Wire;
+use unoclp_lang::Code;
+
+/// Inputs that a block of the norm may go without.
+const LOOSE: [&str; 6] = ["EN", "R", "LD", "CU", "CD", "RESET"];
+
+impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
+    /// Calls a block, once; none where something is wrong, which is told.
+    pub(super) fn block(&mut self, at: usize) -> Option<()> {
+        if let Some(fine) = self.begun.get(&at) {
+            return fine.then_some(());
+        }
+        self.begun.insert(at, true);
+        let called = self.call(at);
+        self.begun.insert(at, called.is_some());
+        called
+    }
+
+    fn call(&mut self, at: usize) -> Option<()> {
+        let network = self.network;
+        let element = &network.elements[at];
+        let place = span(element.node);
+        let instance = element.node.attribute("instanceName").unwrap_or_default();
+        let name = element.node.attribute("typeName").unwrap_or_default();
+        let key = instance.to_uppercase();
+        match self.variables.get(&key).map(|variable| &variable.kind) {
+            None if !instance.contains(['.', '[']) || instance.is_empty() => {
+                self.tell(Code::XmlUndeclared, at, [instance.into()]);
+                return None;
+            }
+            Some(kind) if !kind.eq_ignore_ascii_case(name) => {
+                let words = [instance.into(), kind.clone().into(), name.into()];
+                self.tell(Code::XmlType, at, words);
+                return None;
+            }
+            _ => {}
+        }
+        let norm = standard(&element.block());
+        let first = *self.instances.entry(key).or_insert(at);
+        if norm.is_some() && first != at {
+            self.tell(Code::XmlTwice, at, [instance.into()]);
+            return None;
+        }
+        let enabled = self.enabled(at)?;
+        let mut call = vec![piece(&format!("{instance}("), place)];
+        for pin in &element.inputs {
+            let input = pin.name.to_uppercase();
+            if input == "EN" {
+                continue;
+            }
+            if pin.wires.is_empty() {
+                if norm.is_some() && !LOOSE.contains(&&*input) {
+                    self.tell(Code::XmlPin, at, [pin.name.into()]);
+                    return None;
+                }
+                continue;
+            }
+            let value = self.given(at, pin.name)?;
+            let comma = if call.len() > 1 { ", " } else { "" };
+            call.push(piece(&format!("{comma}{} := ", pin.name), place));
+            call.extend(value);
+        }
+        call.push(piece(")", place));
+        self.when(at, &enabled, call, None);
+        Some(())
+    }
+
+    /// What is done where EN of an element has power.
+    pub(super) fn when(
+        &mut self,
+        at: usize,
+        enabled: &Circuit,
+        does: Vec<Piece>,
+        otherwise: Option<Vec<Piece>>,
+    ) {
+        if enabled.is_empty() {
+            return self.sentences.add(does);
+        }
+        let condition = self.said(enabled, false);
+        let group = self.group(at);
+        self.sentences.grouped(group, condition, does, otherwise);
+    }
+
+    /// What EN of an element comes from: after an ENO, what that comes from itself.
+    fn group(&self, mut at: usize) -> Group {
+        let network = self.network;
+        for _ in 0..network.elements.len() {
+            let [wire] = network.elements[at].wires("EN") else {
+                break;
+            };
+            let is_eno = network.elements[wire.from].kind == "block"
+                && wire.output.eq_ignore_ascii_case("ENO")
+                && !network.elements[wire.from].wires("EN").is_empty();
+            if !is_eno {
+                return (wire.from, wire.output.to_uppercase());
+            }
+            at = wire.from;
+        }
+        (at, "EN".to_owned())
+    }
+
+    /// The way to EN; of none, the left rail.
+    pub(super) fn enabled(&mut self, at: usize) -> Option<Circuit> {
+        if let Some(known) = self.enabled.get(&at) {
+            return known.clone();
+        }
+        let network = self.network;
+        let mut enabled = match network.elements[at].wires("EN").is_empty() {
+            true => Some(Circuit::new()),
+            false => self.input(at, "EN"),
+        };
+        // Power that goes on is what it was, whatever this block writes.
+        let mut readers = network.readers[at].iter();
+        let goes_on = readers.any(|reader| {
+            let by = &network.elements[reader.at];
+            let is_eno = reader.output.eq_ignore_ascii_case("ENO");
+            let takes = by.wires("EN").iter().any(|wire| wire.from == at);
+            is_eno && !network.is_end(reader.at) && !takes
+        });
+        if let Some(circuit) = &enabled
+            && goes_on
+            && self.rewrites[at]
+            && !circuit.is_empty()
+        {
+            enabled = Some(self.keep(at, &circuit.clone()));
+        }
+        self.enabled.insert(at, enabled.clone());
+        enabled
+    }
+
+    /// An output of a block.
+    pub(super) fn gives(&mut self, wire: Wire<'a>) -> Option<Circuit> {
+        let at = wire.from;
+        let element = &self.network.elements[at];
+        let named = element.outputs.iter().map(|(name, _)| *name);
+        let mut named = named.filter(|name| !name.eq_ignore_ascii_case("ENO"));
+        let output = match wire.output {
+            "" => named.next().unwrap_or("Q"),
+            output => output,
+        };
+        if output.eq_ignore_ascii_case("ENO") {
+            return match self.enabled.get(&at) {
+                Some(known) => known.clone(),
+                None => {
+                    self.tell(Code::XmlLoop, at, []);
+                    None
+                }
+            };
+        }
+        let instance = element.node.attribute("instanceName").unwrap_or_default();
+        let text = match element.is_negated(output) {
+            true => format!("NOT {instance}.{output}"),
+            false => format!("{instance}.{output}"),
+        };
+        let index = element.outputs.iter();
+        let index = index.take_while(|(name, _)| *name != output).count();
+        let said = vec![piece(&text, span(element.node))];
+        Some(vec![self.leaf((at, 100 + index), said)])
+    }
+}

@@ -1,0 +1,362 @@
+//! The way of the power to an element, as an expression.
+
+use super::Body;
+use super::kinds::What;
+use super::sentences::{Piece, inverted, piece};
+use crate::circuit::{Circuit, Item, Key, Leaf, leaves, together};
+use crate::found::span;
+use crate::network::{Network, Wire, edge};
+use crate::xml::says;
+use std::collections::{HashMap, HashSet};
+use unoclp_lang::{Code, Span};
+
+/// More elements than this stand in no series.
+const DEEPEST: usize = 200;
+
+/// An expression has no more parts.
+const LARGEST: usize = 2_000;
+
+/// All expressions of a body have no more.
+const MOST_WORK: usize = 1_000_000;
+
+impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
+    /// The way to an input of an element; none where something is wrong, which is told.
+    pub(super) fn input(&mut self, at: usize, name: &str) -> Option<Circuit> {
+        let network = self.network;
+        let pin = network.elements[at].input(name);
+        let Some(pin) = pin.filter(|pin| !pin.wires.is_empty()) else {
+            let what = match name {
+                "" => ("it", "ele").into(),
+                name => name.into(),
+            };
+            self.tell(Code::XmlPin, at, [what]);
+            return None;
+        };
+        let mut ways = Vec::with_capacity(pin.wires.len());
+        for &wire in &pin.wires {
+            let way = self.source(wire)?;
+            self.spend(at, &way)?;
+            ways.push(way);
+        }
+        let circuit = match ways.len() {
+            1 => ways.remove(0),
+            _ => together(ways),
+        };
+        Some(circuit)
+    }
+
+    /// What leads to an input, as it is written there.
+    pub(super) fn given(&mut self, at: usize, name: &str) -> Option<Vec<Piece>> {
+        let circuit = self.input(at, name)?;
+        let (negated, edge) = {
+            let pin = self.network.elements[at].input(name)?;
+            (pin.negated, pin.edge)
+        };
+        let value = self.said(&circuit, negated);
+        Some(match edge {
+            "" => value,
+            edge => self.after_edge(at, edge, value),
+        })
+    }
+
+    /// The way to the beginning of a wire.
+    pub(super) fn source(&mut self, wire: Wire<'a>) -> Option<Circuit> {
+        if let Some(known) = self.known.get(&wire) {
+            return known.clone();
+        }
+        let at = wire.from;
+        // Wires that lead back to a block bring what it gave before.
+        if self.own[at] == What::Block && self.begun.contains_key(&at) {
+            return self.gives(wire);
+        }
+        if let Some(name) = self.names.get(&at)
+            && self.open.contains(&at)
+            && !wire.output.eq_ignore_ascii_case("ENO")
+        {
+            let said = vec![piece(&name.clone(), span(self.network.elements[at].node))];
+            return Some(vec![self.leaf((at, 1), said)]);
+        }
+        if self.open.contains(&at) {
+            self.tell(Code::XmlLoop, at, []);
+            return None;
+        }
+        if self.open.len() >= DEEPEST {
+            self.too_large(at);
+            return None;
+        }
+        self.open.push(at);
+        let circuit = self.begin(wire);
+        self.open.pop();
+        self.known.insert(wire, circuit.clone());
+        circuit
+    }
+
+    fn begin(&mut self, wire: Wire<'a>) -> Option<Circuit> {
+        let network = self.network;
+        let at = wire.from;
+        let element = &network.elements[at];
+        match element.kind {
+            "leftPowerRail" => Some(Circuit::new()),
+            "contact" => self.contact(at),
+            "coil" => self.input(at, ""),
+            "inVariable" | "inOutVariable" => {
+                let place = span(element.node);
+                let mut said = vec![piece(&operand(&element.written), place)];
+                if element.negated() {
+                    said = inverted(said, place);
+                }
+                Some(vec![self.leaf((at, 0), said)])
+            }
+            "continuation" => {
+                let Some(connector) = network.connector(at) else {
+                    let name = element.node.attribute("name").unwrap_or_default();
+                    self.tell(Code::XmlPin, at, [name.into()]);
+                    return None;
+                };
+                self.input(connector, "")
+            }
+            "block" if self.own[at] == What::Block => {
+                self.block(at)?;
+                self.gives(wire)
+            }
+            "block" if self.own[at].is_function() => self.function(wire),
+            "block" => self.unknown(at),
+            kind => {
+                self.tell(Code::XmlElement, at, [kind.into()]);
+                None
+            }
+        }
+    }
+
+    fn contact(&mut self, at: usize) -> Option<Circuit> {
+        let network = self.network;
+        let element = &network.elements[at];
+        let place = span(element.node);
+        self.declared(at)?;
+        let mut circuit = self.input(at, "")?;
+        let text = operand(&element.written);
+        let mut said = match says(element.node, "negated") {
+            true => vec![piece(&format!("NOT {text}"), place)],
+            false => vec![piece(&text, place)],
+        };
+        let edge = edge(element.node);
+        if !edge.is_empty() {
+            said = self.after_edge(at, edge, said);
+        }
+        let leaf = self.leaf((at, 0), said);
+        circuit.push(leaf);
+        // Power that parts stays what it was, whatever the first coil after it writes.
+        let readers = network.readers[at].iter();
+        let readers = readers.filter(|reader| !network.is_end(reader.at));
+        if self.rewrites[at] && readers.count() > 1 {
+            circuit = self.keep(at, &circuit);
+        }
+        Some(circuit)
+    }
+
+    /// Whether something declares the variable of a contact or a coil, which is told otherwise.
+    pub(super) fn declared(&mut self, at: usize) -> Option<()> {
+        let written = &self.network.elements[at].written;
+        let name = written.split(['.', '[']).next().unwrap_or_default();
+        let name = name.trim().to_uppercase();
+        if name.is_empty() {
+            self.tell(Code::XmlPin, at, [("a variable", "uma variável").into()]);
+            return None;
+        }
+        let is_name = name.chars().all(|c| c.is_alphanumeric() || c == '_')
+            && !matches!(&*name, "TRUE" | "FALSE" | "0" | "1");
+        if is_name && !self.variables.contains_key(&name) {
+            self.tell(Code::XmlUndeclared, at, [written.as_str().into()]);
+            return None;
+        }
+        Some(())
+    }
+
+    /// The same power, in a variable.
+    pub(super) fn keep(&mut self, at: usize, circuit: &Circuit) -> Circuit {
+        let name = self.add("power", "BOOL", at);
+        let place = span(self.network.elements[at].node);
+        let mut does = vec![piece(&format!("{name} := "), place)];
+        does.extend(self.said(circuit, false));
+        self.sentences.add(does);
+        vec![self.leaf((at, 9), vec![piece(&name, place)])]
+    }
+
+    /// Whether a value has risen or fallen.
+    pub(super) fn after_edge(&mut self, at: usize, edge: &str, value: Vec<Piece>) -> Vec<Piece> {
+        let kind = if edge == "rising" { "R_TRIG" } else { "F_TRIG" };
+        let name = self.add("edge", kind, at);
+        let place = span(self.network.elements[at].node);
+        let mut call = vec![piece(&format!("{name}(CLK := "), place)];
+        call.extend(value);
+        call.push(piece(")", place));
+        self.sentences.add(call);
+        vec![piece(&format!("{name}.Q"), place)]
+    }
+
+    pub(super) fn leaf(&mut self, key: Key, said: Vec<Piece>) -> Item {
+        self.words.insert(key, said);
+        Item::Leaf(Leaf::of(key, Vec::new()))
+    }
+
+    /// A circuit as an expression.
+    pub(super) fn said(&self, circuit: &[Item], negated: bool) -> Vec<Piece> {
+        let mut pieces = Vec::new();
+        self.series(circuit, &mut pieces);
+        match pieces.first() {
+            Some((_, at)) if negated => inverted(pieces.clone(), *at),
+            _ => pieces,
+        }
+    }
+
+    fn series(&self, circuit: &[Item], pieces: &mut Vec<Piece>) {
+        let at = pieces.last().map_or(Span::default(), |(_, at)| *at);
+        if circuit.is_empty() {
+            pieces.push(piece("TRUE", at));
+        }
+        for (index, item) in circuit.iter().enumerate() {
+            if index > 0 {
+                let at = pieces.last().map_or(at, |(_, at)| *at);
+                pieces.push(piece(" AND ", at));
+            }
+            match item {
+                Item::Leaf(leaf) => {
+                    pieces.extend(self.words.get(&leaf.key).into_iter().flatten().cloned());
+                }
+                Item::Parallel { ways, .. } => {
+                    pieces.push(piece("(", at));
+                    for (index, way) in ways.iter().enumerate() {
+                        if index > 0 {
+                            pieces.push(piece(" OR ", at));
+                        }
+                        self.series(way, pieces);
+                    }
+                    pieces.push(piece(")", at));
+                }
+                Item::Gate(_, _, circuit) => self.series(circuit, pieces),
+            }
+        }
+    }
+
+    /// Counts the parts of a circuit; none where they are too many, which is told.
+    fn spend(&mut self, at: usize, circuit: &[Item]) -> Option<()> {
+        let mut parts = 1;
+        leaves(circuit, &mut |leaf| {
+            parts += self.words.get(&leaf.key).map_or(1, Vec::len);
+        });
+        self.work += parts;
+        if parts > LARGEST || self.work > MOST_WORK {
+            self.too_large(at);
+            return None;
+        }
+        Some(())
+    }
+
+    fn too_large(&mut self, at: usize) {
+        let (en, pt) = self.network.name(at);
+        let word = (
+            format!("{en}: more elements than fit in a rung"),
+            format!("{pt}: mais elementos do que cabem em uma linha"),
+        );
+        let place = span(self.network.elements[at].node);
+        self.found.tell_at(Code::XmlTooLarge, place, [word.into()]);
+    }
+}
+
+/// What is written, so that it may stand beside an operator.
+fn operand(written: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "_.#%[]:".contains(c);
+    match written.chars().all(is_plain) {
+        true => written.to_owned(),
+        false => format!("({written})"),
+    }
+}
+
+/// The elements whose wires lead back to them, and through no function block.
+pub(super) fn circles(network: &Network<'_, '_>, own: &[What]) -> Vec<bool> {
+    let before = |at: usize| -> Vec<usize> {
+        let element = &network.elements[at];
+        let wires = element.inputs.iter().flat_map(|pin| &pin.wires);
+        let wires = wires.filter(|wire| own[wire.from] != What::Block);
+        let mut from: Vec<usize> = wires.map(|wire| wire.from).collect();
+        if element.kind == "continuation" {
+            from.extend(network.connector(at));
+        }
+        from
+    };
+    let count = network.elements.len();
+    let (mut order, mut low) = (vec![0_usize; count], vec![0_usize; count]);
+    let (mut waits, mut is_waiting) = (Vec::new(), vec![false; count]);
+    let (mut next, mut found) = (1, vec![false; count]);
+    for start in 0..count {
+        let mut open = match order[start] {
+            0 => vec![(start, before(start), 0)],
+            _ => continue,
+        };
+        while let Some((at, from, looked)) = open.last_mut() {
+            let at = *at;
+            if *looked == 0 {
+                (order[at], low[at]) = (next, next);
+                next += 1;
+                waits.push(at);
+                is_waiting[at] = true;
+                found[at] = from.contains(&at);
+            }
+            if let Some(&other) = from.get(*looked) {
+                *looked += 1;
+                if order[other] == 0 {
+                    let others = before(other);
+                    open.push((other, others, 0));
+                } else if is_waiting[other] {
+                    low[at] = low[at].min(order[other]);
+                }
+                continue;
+            }
+            if low[at] == order[at] {
+                let first = waits.iter().rposition(|of| *of == at).unwrap_or(0);
+                let circle = waits.split_off(first);
+                for of in &circle {
+                    is_waiting[*of] = false;
+                    found[*of] |= circle.len() > 1;
+                }
+            }
+            let of = low[at];
+            open.pop();
+            if let Some((before, ..)) = open.last() {
+                low[*before] = low[*before].min(of);
+            }
+        }
+    }
+    found
+}
+
+/// The elements of rungs that write what they read.
+pub(super) fn rewrites(network: &Network<'_, '_>, own: &[What]) -> Vec<bool> {
+    let name = |written: &str| -> String {
+        let name = written.split(['.', '[']).next().unwrap_or_default();
+        name.trim().to_uppercase()
+    };
+    let mut written: HashMap<usize, HashSet<String>> = HashMap::new();
+    for (at, element) in network.elements.iter().enumerate() {
+        let is_out = match element.kind {
+            "coil" | "outVariable" => true,
+            "inOutVariable" => !element.wires("").is_empty(),
+            _ => false,
+        };
+        if is_out {
+            let rung = written.entry(network.rung(at)).or_default();
+            rung.insert(name(&element.written));
+        }
+    }
+    let mut rungs = HashSet::new();
+    for (at, element) in network.elements.iter().enumerate() {
+        let reads = matches!(element.kind, "contact" | "inVariable" | "inOutVariable");
+        let rung = network.rung(at);
+        let is_written = |of: &HashSet<String>| of.contains(&name(&element.written));
+        if reads && written.get(&rung).is_some_and(is_written) {
+            rungs.insert(rung);
+        }
+    }
+    let all = 0..own.len();
+    all.map(|at| rungs.contains(&network.rung(at))).collect()
+}

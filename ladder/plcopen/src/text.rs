@@ -1,0 +1,99 @@
+//! A text that is made of pieces of a file, and where each of them stands there.
+
+use crate::found::span;
+use roxmltree::Node;
+use unoclp_checked::SourceMap;
+use unoclp_lang::{Diagnostic, Lines, Span, Trace};
+
+/// A text, and where its pieces stand in the XML.
+#[derive(Default)]
+pub(crate) struct Text {
+    pub text: String,
+    /// The first byte of each piece, the first byte of what it came from, and whether both go on alike.
+    pieces: Vec<(u32, Span, bool)>,
+}
+
+impl Text {
+    /// The text of a body; where the file has it as it is, its bytes keep their places.
+    pub(crate) fn body(&mut self, xml: &str, body: Node<'_, '_>) {
+        for node in body.descendants().filter(Node::is_text) {
+            let written = node.text().unwrap_or_default();
+            let range = node.range();
+            let raw = xml.get(range.clone()).unwrap_or_default();
+            let own = raw.find(written).filter(|_| !written.is_empty());
+            match own {
+                Some(at) => {
+                    let start = (range.start + at) as u32;
+                    let end = start + written.len() as u32;
+                    self.pieces
+                        .push((self.text.len() as u32, Span { start, end }, true));
+                    self.text.push_str(written);
+                }
+                None => self.piece(written, span(node)),
+            }
+        }
+    }
+
+    pub(crate) fn piece(&mut self, text: &str, from: Span) {
+        self.pieces.push((self.text.len() as u32, from, false));
+        self.text.push_str(text);
+    }
+
+    /// Where a byte of the text stands in the XML.
+    fn place(&self, byte: u32) -> (u32, bool, Span) {
+        let behind = self.pieces.partition_point(|(first, ..)| *first <= byte);
+        let piece = behind.checked_sub(1).and_then(|at| self.pieces.get(at));
+        match piece {
+            Some((first, from, true)) => ((from.start + byte - first).min(from.end), true, *from),
+            Some((_, from, false)) => (from.start, false, *from),
+            None => (0, false, Span::default()),
+        }
+    }
+
+    /// A diagnostic of the text as one of the XML.
+    pub(crate) fn moved(&self, diagnostic: &Diagnostic) -> Diagnostic {
+        let (start, is_alike, from) = self.place(diagnostic.span.start);
+        let length = diagnostic.span.end - diagnostic.span.start;
+        let span = match is_alike {
+            true => Span {
+                start,
+                end: (start + length).min(from.end),
+            },
+            false => from,
+        };
+        diagnostic.at(span)
+    }
+
+    /// The byte of this line and column of the text.
+    fn byte(&self, own: &Lines, line: usize, column: usize) -> u32 {
+        let start = own.start(line as u32);
+        let behind = self.text.get(start as usize..).unwrap_or_default();
+        let before = behind.chars().take(column.saturating_sub(1));
+        start + before.map(char::len_utf8).sum::<usize>() as u32
+    }
+
+    /// What the lines of the text show, as lines of the XML.
+    pub(crate) fn traced(&self, xml: &str, mut traces: Vec<Trace>) -> Vec<Trace> {
+        let (own, other) = (Lines::new(&self.text), Lines::new(xml));
+        for trace in &mut traces {
+            let (at, ..) = self.place(self.byte(&own, trace.line, trace.column));
+            let (line, column) = other.place(xml, at);
+            (trace.line, trace.column) = (line as usize, column as usize);
+        }
+        traces
+    }
+
+    /// The map of the text as one of the XML.
+    pub(crate) fn placed(&self, xml: &str, mut map: SourceMap) -> SourceMap {
+        let (own, other) = (Lines::new(&self.text), Lines::new(xml));
+        for place in &mut map.steps {
+            let (at, ..) = self.place(self.byte(&own, place.line, place.column));
+            let (last, ..) = self.place(self.byte(&own, place.last, 1));
+            let (line, column) = other.place(xml, at);
+            let last = other.line(last).max(line);
+            (place.line, place.column, place.last) =
+                (line as usize, column as usize, last as usize);
+        }
+        map
+    }
+}
