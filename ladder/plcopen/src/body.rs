@@ -62,7 +62,7 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
     let types = Types::of(project.types);
     types.write(&mut written);
     if !project.globals.is_empty() {
-        section(&mut written, "VAR_GLOBAL", project.globals.iter());
+        section(&mut written, "VAR_GLOBAL", project.globals.iter(), found);
     }
     let units = Units::of(&project.others, &types);
     let own = if language == TextLanguage::Il {
@@ -83,7 +83,7 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
             Some((of_text, body)) if of_text == own => Some(body),
             Some(("LD", body)) if own == "ST" => {
                 let ladder = st::write(pou, body, &project.globals, &units, found);
-                write_pou(&mut written, pou, &ladder.variables, |to| {
+                write_pou(&mut written, pou, &ladder.variables, found, |to| {
                     for (piece, from) in &ladder.pieces {
                         to.piece(piece, *from);
                     }
@@ -96,7 +96,7 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
             }
         };
         if let Some(body) = body {
-            write_pou(&mut written, pou, &[], |to| to.body(xml, body));
+            write_pou(&mut written, pou, &[], found, |to| to.body(xml, body));
         }
         let new = written.text.get(from..).unwrap_or_default();
         let words = new.split(|c: char| !c.is_alphanumeric() && c != '_');
@@ -166,6 +166,7 @@ fn write_pou(
     to: &mut Text,
     pou: &Pou<'_, '_>,
     added: &[(String, String, Span)],
+    found: &mut Found,
     body: impl FnOnce(&mut Text),
 ) {
     let (begin, end) = match pou.kind.as_str() {
@@ -196,7 +197,7 @@ fn write_pou(
             "tempVars" => "VAR_TEMP",
             _ => "VAR",
         };
-        section(to, name, rest[..count].iter());
+        section(to, name, rest[..count].iter(), found);
         rest = &rest[count..];
     }
     if !added.is_empty() {
@@ -210,7 +211,12 @@ fn write_pou(
     to.piece(&format!("\n{end}\n"), at);
 }
 
-fn section<'v>(to: &mut Text, section: &str, variables: impl Iterator<Item = &'v Variable>) {
+fn section<'v>(
+    to: &mut Text,
+    section: &str,
+    variables: impl Iterator<Item = &'v Variable>,
+    found: &mut Found,
+) {
     let mut variables = variables.peekable();
     let Some(first) = variables.peek() else {
         return;
@@ -224,7 +230,19 @@ fn section<'v>(to: &mut Text, section: &str, variables: impl Iterator<Item = &'v
         at = variable.at;
         let place = variable.address.as_ref();
         let place = place.map_or(String::new(), |address| format!(" AT {address}"));
-        let first = variable.initial.as_ref();
+        let mut first = variable.initial.as_ref();
+        let is_input = variable.address.as_ref().is_some_and(|address| {
+            let address = address.trim_start_matches('%');
+            address.starts_with(['I', 'i'])
+        });
+        if let (Some(value), true) = (first, is_input) {
+            // Inputs are read before the first scan; a value that they have anyway is no mistake.
+            if !matches!(&*value.to_uppercase(), "0" | "FALSE") {
+                let who = ("the program", "o programa").into();
+                found.tell_at(Code::XmlFirst, at, [who, name.as_str().into()]);
+            }
+            first = None;
+        }
         let first = first.map_or(String::new(), |first| format!(" := {first}"));
         to.piece(&format!("  {name}{place} : {kind}{first};\n"), at);
     }

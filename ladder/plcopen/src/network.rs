@@ -229,10 +229,16 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
         if first(node, "connectionPointOut").is_some() {
             element.outputs.push(("", false));
         }
+        // CODESYS numbers the only input of these too.
+        let has_one_input = matches!(&*element.block(), "MOVE" | "NOT");
         for section in ["inputVariables", "inOutVariables", "outputVariables"] {
             let variables = all(node, section).flat_map(|section| all(section, "variable"));
             for variable in variables {
                 let name = variable.attribute("formalParameter").unwrap_or_default();
+                let name = match has_one_input && name.eq_ignore_ascii_case("IN1") {
+                    true => "IN",
+                    false => name,
+                };
                 for of in all(variable, "connectionPointIn") {
                     let mut pin = self.pin(index, of, name, wrong);
                     pin.negated = says(variable, "negated");

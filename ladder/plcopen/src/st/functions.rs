@@ -1,7 +1,7 @@
 //! Results of functions.
 
 use super::Body;
-use super::kinds::What;
+use super::kinds::{What, usual};
 use super::sentences::{Piece, inverted, piece};
 use crate::circuit::Circuit;
 use crate::found::span;
@@ -188,7 +188,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             self.tell(Code::XmlPin, at, ["IN".into()]);
             return None;
         }
-        let sign = sign(&element.block(), values.len());
+        let sign = sign(usual(&element.block()), values.len());
         let mut said = match sign {
             Some("NOT") => return Some(inverted(values.concat(), place)),
             Some(_) => vec![piece("(", place)],

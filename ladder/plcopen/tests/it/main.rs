@@ -1,5 +1,6 @@
 //! Projects in PLCopen XML.
 
+mod alike;
 mod any_text;
 mod cases;
 mod edited;

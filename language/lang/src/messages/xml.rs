@@ -58,10 +58,10 @@ macro_rules! xml_rows {
         ""
         "{0}: `{1}` não é {2} válido"
         "";
-    512 XmlWire Error
-        "{0}: a wire comes from an element that the file does not have"
+    512 XmlWire Warning
+        "{0}: a wire comes from an element that the file does not have, so it is ignored"
         "draw the wire again"
-        "{0}: um fio vem de um elemento que o arquivo não tem"
+        "{0}: um fio vem de um elemento que o arquivo não tem, e por isso é ignorado"
         "puxe o fio outra vez";
     513 XmlLoop Error
         "{0}: the wires lead back to where they began"

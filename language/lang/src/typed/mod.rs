@@ -51,12 +51,12 @@ mod value;
 mod width;
 
 pub use base::{Base, Generic, Width};
+pub use build::is_function;
 pub use enumeration::Enumeration;
 pub use expression::{
     Binary, Call, Compare, Convert, Expr, ExprKind, Extra, Index, Input, Output, Place, Root,
     Store, Unary,
 };
-pub use build::is_function;
 pub(crate) use standard::counter;
 pub use standard::{Part, Role, Standard};
 pub use statement::{Arm, Codes, For, Order, Stmt, StmtKind};
