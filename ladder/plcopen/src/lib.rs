@@ -12,6 +12,7 @@
 //! - `contacts`, `blocks`, `instances`, `values`: what stands on that way
 //! - `pins`, `unused`: wires that lead nowhere, and what they come from
 //! - `outputs`: the circuits of a network; `effects`: which of them may change places; `rungs`: circuits to rungs of a document; `program`: all of it; `checked`: the document as a board checks it
+//! - `adapt`: points that another PLC has, on this board
 //! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces stand in the file; `types`: types
 //!   as it spells them; `st`: ladder bodies as statements, where no document holds them
 //!
@@ -22,6 +23,7 @@
 
 #![forbid(unsafe_code)]
 
+mod adapt;
 mod allot;
 mod blocks;
 mod body;
@@ -52,6 +54,7 @@ mod unused;
 mod values;
 mod xml;
 
+pub use adapt::adapt;
 pub use export::{Lost, export};
 pub use imported::Imported;
 pub use program::import;

@@ -8,6 +8,7 @@ use crate::colour::Colour;
 use crate::colours::colours;
 use crate::points::{exists, range};
 use std::collections::{BTreeSet, HashMap};
+use std::ops::Range;
 use unoclp_core::Board;
 use unoclp_point::{Address, Kind, Maker, Written, read};
 
@@ -31,11 +32,39 @@ pub fn adapt(text: &str, language: TextLanguage, board: Board) -> Option<Adapted
     if !ADAPTED.contains(&language) {
         return None;
     }
+    let adapted = adapt_at(text, &written_points(text, language), board);
+    let table = adapted.table();
+    let table = match table.is_empty() {
+        true => table,
+        false => format!("(* unoclp adapt, {}:\n{table}*)\n", board.name),
+    };
+    Some(Adapted {
+        text: table + &adapted.text,
+        ..adapted
+    })
+}
+
+/// Where a text in one of these languages writes points.
+pub fn written_points(text: &str, language: TextLanguage) -> Vec<Range<usize>> {
     let points = colours(text, language).into_iter();
-    let points: Vec<_> = points
+    points
         .filter(|(_, colour)| *colour == Colour::Point)
         .map(|(span, _)| span.range())
-        .collect();
+        .collect()
+}
+
+impl Adapted {
+    /// What went where, a line each.
+    pub fn table(&self) -> String {
+        let moved = self.moved.iter();
+        let lines = moved.map(|(old, new)| format!("   {old} -> {new}\n"));
+        lines.collect()
+    }
+}
+
+/// The text with a free point of this board in the place of each at these places that the board lacks, and no table. What
+/// stands at such a place and names no point stays.
+pub fn adapt_at(text: &str, points: &[Range<usize>], board: Board) -> Adapted {
     let keys: Vec<String> = points
         .iter()
         .map(|place| text.get(place.clone()).unwrap_or_default())
@@ -52,20 +81,11 @@ pub fn adapt(text: &str, language: TextLanguage, board: Board) -> Option<Adapted
         }
     }
     adapted.push_str(text.get(behind..).unwrap_or_default());
-    let table: String = places
-        .moved
-        .iter()
-        .map(|(old, new)| format!("   {old} -> {new}\n"))
-        .collect();
-    let table = match table.is_empty() {
-        true => table,
-        false => format!("(* unoclp adapt, {}:\n{table}*)\n", board.name),
-    };
-    Some(Adapted {
-        text: table + &adapted,
+    Adapted {
+        text: adapted,
         moved: places.moved,
         left: places.left,
-    })
+    }
 }
 
 /// Which points of a board are free, and what has gone where.

@@ -121,16 +121,17 @@ impl Written {
     /// # Errors
     /// If it is no program in any of the languages.
     pub fn adapted(&self) -> Result<Option<Adapted>, NoProgram> {
-        let language = match self.language? {
-            WrittenIn::Il => TextLanguage::Il,
-            WrittenIn::Typed(language) => language,
-            WrittenIn::Numeric | WrittenIn::Xml => return Ok(None),
-        };
         let text = decode(&self.bytes);
-        match text.trim().is_empty() {
-            true => Err(NoProgram::Empty),
-            false => Ok(adapt(&text, language, self.board)),
+        let language = self.language?;
+        if text.trim().is_empty() {
+            return Err(NoProgram::Empty);
         }
+        Ok(match language {
+            WrittenIn::Il => adapt(&text, TextLanguage::Il, self.board),
+            WrittenIn::Typed(language) => adapt(&text, language, self.board),
+            WrittenIn::Xml => unoclp_plcopen::adapt(&text, self.board),
+            WrittenIn::Numeric => None,
+        })
     }
 
     fn none(self, why: NoProgram) -> Refused {

@@ -1,5 +1,6 @@
 //! Projects in PLCopen XML.
 
+mod adapted;
 mod alike;
 mod any_text;
 mod cases;

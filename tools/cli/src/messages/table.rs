@@ -21,8 +21,8 @@ unoclp_words::messages! {
         "{file} already exists, and nothing is written over it; name another output file"
         "{file} já existe, e nada é escrito por cima dele; indique outro arquivo de saída";
     not_adapted(file)
-        "{file} is not Instruction List or Structured Text: only there are points written as %QX1.3"
-        "{file} não é Lista de Instruções nem Texto Estruturado: só neles os pontos se escrevem como %QX1.3";
+        "{file} is not Instruction List, Structured Text or PLCopen XML: only there are points written as %QX1.3"
+        "{file} não é Lista de Instruções, Texto Estruturado nem PLCopen XML: só neles os pontos se escrevem como %QX1.3";
     can_be_adapted(file, points, board)
         "unoclp adapt {file} -o COPY writes a copy in which {points} are free points of the {board}"
         "unoclp adapt {file} -o COPIA escreve uma cópia em que {points} são pontos livres do {board}";

@@ -49,8 +49,8 @@ fn what_it_cannot_do_is_told() {
             "codes.txt",
             "0\n827301\n877901\n",
             2,
-            "is not Instruction List or Structured Text: only there are points written as %QX1.3",
-            "não é Lista de Instruções nem Texto Estruturado: só neles os pontos se escrevem como %QX1.3",
+            "is not Instruction List, Structured Text or PLCopen XML: only there are points written as %QX1.3",
+            "não é Lista de Instruções, Texto Estruturado nem PLCopen XML: só neles os pontos se escrevem como %QX1.3",
         ),
         ("empty.st", "", 2, "is empty", "está vazio"),
     ] {
