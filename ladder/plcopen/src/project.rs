@@ -69,11 +69,36 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
             types: types.and_then(|types| first(types, "dataTypes")),
         };
         project.order(root, found);
+        project.shared(found);
         if project.programs.is_empty() {
             found.tell(Code::XmlNoProgram, root, []);
             return None;
         }
         Some(project)
+    }
+
+    /// Makes globals of what programs take from outside and nobody declares.
+    fn shared(&mut self, found: &mut Found) {
+        let globals = self.globals.iter();
+        let mut known: HashSet<String> = globals.map(|own| own.name.to_uppercase()).collect();
+        let pous = self.programs.iter().chain(&self.others);
+        let taken = pous.flat_map(|pou| &pou.variables);
+        let mut missing = Vec::new();
+        for variable in taken.filter(|variable| variable.section == "externalVars") {
+            if known.insert(variable.name.to_uppercase()) {
+                found.tell_at(
+                    Code::XmlNoGlobal,
+                    variable.at,
+                    [variable.name.clone().into()],
+                );
+                missing.push(variable.clone());
+            }
+        }
+        let globals = missing.into_iter().map(|variable| Variable {
+            section: "globalVars".to_owned(),
+            ..variable
+        });
+        self.globals.extend(globals);
     }
 
     /// Puts the programs in the order in which tasks run them.

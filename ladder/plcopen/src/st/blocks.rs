@@ -7,9 +7,10 @@ use crate::circuit::Circuit;
 use crate::found::span;
 use crate::network::Wire;
 use unoclp_lang::Code;
+use unoclp_lang::typed::{Role, Standard};
 
 /// Inputs that a block of the norm may go without.
-const LOOSE: [&str; 6] = ["EN", "R", "LD", "CU", "CD", "RESET"];
+const LOOSE: [&str; 4] = ["R", "LD", "CU", "CD"];
 
 impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     /// Calls a block, once; none where something is wrong, which is told.
@@ -48,6 +49,10 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             self.tell(Code::XmlTwice, at, [instance.into()]);
             return None;
         }
+        if let Some(input) = norm.and_then(|norm| self.lacks(at, norm)) {
+            self.tell(Code::XmlPin, at, [input.into()]);
+            return None;
+        }
         let enabled = self.enabled(at)?;
         let mut call = vec![piece(&format!("{instance}("), place)];
         for pin in &element.inputs {
@@ -56,10 +61,6 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
                 continue;
             }
             if pin.wires.is_empty() {
-                if norm.is_some() && !LOOSE.contains(&&*input) {
-                    self.tell(Code::XmlPin, at, [pin.name.into()]);
-                    return None;
-                }
                 continue;
             }
             let value = self.given(at, pin.name)?;
@@ -70,6 +71,20 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         call.push(piece(")", place));
         self.when(at, &enabled, call, None);
         Some(())
+    }
+
+    /// An input to which nothing leads and without which a block of the norm does nothing.
+    fn lacks(&self, at: usize, norm: Standard) -> Option<&'static str> {
+        let pins = self.network.elements[at].inputs.iter();
+        let wired: Vec<&str> = pins
+            .filter(|pin| !pin.wires.is_empty())
+            .filter_map(|pin| norm.part(&pin.name.to_uppercase()))
+            .map(|(_, part)| part.0)
+            .collect();
+        let inputs = norm.parts().iter();
+        let mut needed = inputs.filter(|part| part.2 == Role::Input && !LOOSE.contains(&part.0));
+        let lacking = needed.find(|part| !wired.contains(&part.0));
+        lacking.map(|part| part.0)
     }
 
     /// What is done where EN of an element has power.

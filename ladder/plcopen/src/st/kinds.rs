@@ -68,7 +68,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             return known.clone();
         }
         let found = self.result(at, FAR);
-        let kind = found.or_else(|| self.taken_as(at));
+        let kind = found.or_else(|| self.taken_as(at, FAR));
         let kind = kind.unwrap_or_else(|| match self.network.elements[at].block().as_str() {
             "AND" | "OR" | "XOR" | "NOT" => "BOOL".to_owned(),
             _ => "DINT".to_owned(),
@@ -82,6 +82,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         self.kind(at).eq_ignore_ascii_case("BOOL")
     }
 
+    /// The type that a function has by its name, or by what leads to it.
     fn result(&self, at: usize, far: usize) -> Option<String> {
         let far = far.checked_sub(1)?;
         let element = &self.network.elements[at];
@@ -114,15 +115,31 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         kinds.reduce(|one, other| wider(&one, other))
     }
 
-    /// What a variable that takes the result is declared as.
-    fn taken_as(&self, at: usize) -> Option<String> {
+    /// The type of what takes the result: a variable, an input of a block, another result.
+    fn taken_as(&self, at: usize, far: usize) -> Option<String> {
+        let far = far.checked_sub(1)?;
         let readers = self.network.readers[at].iter();
-        let mut readers = readers.filter(|reader| !reader.output.eq_ignore_ascii_case("ENO"));
+        let readers = readers.filter(|reader| !reader.output.eq_ignore_ascii_case("ENO"));
+        // Of a few, so that chains of many stay cheap.
+        let mut readers = readers.take(3);
         readers.find_map(|reader| {
             let by = &self.network.elements[reader.at];
-            matches!(by.kind, "outVariable" | "inOutVariable")
-                .then(|| self.of_text(&by.written))
-                .flatten()
+            let mut pins = by.inputs.iter();
+            let leads = |wire: &Wire<'_>| wire.from == at && wire.output == reader.output;
+            let pin = pins.find(|pin| pin.wires.iter().any(leads));
+            match (by.kind, self.own[reader.at]) {
+                ("outVariable" | "inOutVariable", _) => self.of_text(&by.written),
+                (_, What::Block | What::Own) => self.member(&by.block(), pin?.name),
+                (_, What::Function) if by.block().contains("_TO_") => {
+                    let from = by.block();
+                    let from = from.split("_TO_").next()?;
+                    Base::named(from).map(|base| base.name().to_owned())
+                }
+                (_, What::Function) => self
+                    .result(reader.at, far / 2)
+                    .or_else(|| self.taken_as(reader.at, far / 2)),
+                _ => None,
+            }
         })
     }
 

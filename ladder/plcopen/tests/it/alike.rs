@@ -93,17 +93,26 @@ fn agree(name: &str, project: &str, text: &str) {
     assert_eq!(changes, 0b1111, "{name}: an output never changes");
 }
 
-#[test]
-fn projects_mean_what_their_texts_mean() {
+/// The name, the project and the text of each pair.
+pub(crate) fn projects() -> Vec<(String, String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/alike");
     let entries = fs::read_dir(folder).unwrap();
     let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
     paths.retain(|path| path.extension().is_some_and(|end| end == "xml"));
     paths.sort();
-    assert!(!paths.is_empty());
-    for path in paths {
+    let pairs = paths.iter().map(|path| {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         let text = fs::read_to_string(path.with_extension("st")).unwrap();
-        agree(&name, &fs::read_to_string(&path).unwrap(), &text);
+        (name.into_owned(), fs::read_to_string(path).unwrap(), text)
+    });
+    pairs.collect()
+}
+
+#[test]
+fn projects_mean_what_their_texts_mean() {
+    let projects = projects();
+    assert!(!projects.is_empty());
+    for (name, project, text) in projects {
+        agree(&name, &project, &text);
     }
 }

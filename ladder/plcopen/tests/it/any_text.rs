@@ -1,5 +1,6 @@
 //! No text makes the import panic, and none takes long: mutated projects, deep ones, large ones.
 
+use crate::alike::projects;
 use crate::cases::{Case, cases};
 use crate::project;
 use unoclp_core::Board;
@@ -8,7 +9,8 @@ use unoclp_plcopen::import;
 
 #[test]
 fn mutated_projects_are_told_or_imported() {
-    let texts: Vec<String> = cases().iter().map(Case::text).collect();
+    let mut texts: Vec<String> = cases().iter().map(Case::text).collect();
+    texts.extend(projects().into_iter().map(|(_, project, _)| project));
     let mut random = Random::new(18);
     let mut imported = 0;
     for _ in 0..unoclp_testing::rounds(2_000) {
@@ -109,6 +111,34 @@ fn each_kind_of_size_is_bounded() {
             element("contact", 2 * id, &from, "a") + &element("coil", 2 * id + 1, &from, "%QX0.0")
         })
     };
+    let function = |id: usize, from: Option<usize>| {
+        let from = from.map_or("v".to_owned(), |from| format!("f{from}"));
+        format!(
+            r#"<block localId="f{id}" typeName="MAX"><inputVariables><variable formalParameter="IN1"><connectionPointIn><connection refLocalId="{from}" formalParameter="OUT"/></connectionPointIn></variable><variable formalParameter="IN2"><connectionPointIn><connection refLocalId="v"/></connectionPointIn></variable></inputVariables><outputVariables><variable formalParameter="OUT"><connectionPointOut/></variable></outputVariables></block>"#
+        )
+    };
+    let output = |from: usize| {
+        format!(
+            r#"<outVariable localId="o{from}"><connectionPointIn><connection refLocalId="f{from}" formalParameter="OUT"/></connectionPointIn><expression>%MW1</expression></outVariable>"#
+        )
+    };
+    // Each looks at the two before it, and has a coil.
+    let contacts = |id: usize, before: usize| {
+        let from = if id == 0 {
+            "r".to_owned()
+        } else {
+            before.to_string()
+        };
+        let far = before.saturating_sub(1);
+        let far = if id < 2 {
+            "r".to_owned()
+        } else {
+            far.to_string()
+        };
+        format!(
+            r#"<contact localId="{id}"><connectionPointIn><connection refLocalId="{from}"/><connection refLocalId="{far}"/></connectionPointIn><connectionPointOut/><variable>a</variable></contact>"#
+        ) + &element("coil", id + 100_000, &id.to_string(), "a")
+    };
     let project_text = project(a, "<LD/>");
     let with = |from: &str, to: &str| project_text.replacen(from, to, 1);
     let texts = [
@@ -168,6 +198,18 @@ fn each_kind_of_size_is_bounded() {
             inputs(7_000)
         )),
         ladder(pairs(2_400, 2)),
+        // What becomes a text: functions after each other, beside each other, in circles.
+        ladder(
+            value.to_owned() + &many(3_000, &|id| function(id, id.checked_sub(1))) + &output(2_999),
+        ),
+        ladder(value.to_owned() + &many(3_000, &|id| function(id, None) + &output(id))),
+        ladder(value.to_owned() + &many(3_000, &|id| function(id, Some((id + 1) % 3_000)))),
+        ladder(
+            value.to_owned()
+                + &function(0, None)
+                + &many(3_000, &|id| contacts(id, id.saturating_sub(1)))
+                + &output(0),
+        ),
         ladder(pairs(2_400, 0)),
         ladder(
             element("contact", 1, "r", "a")

@@ -89,3 +89,85 @@ fn what_is_no_ladder_and_no_text_is_refused_by_its_name() {
         assert_eq!(told, [code], "{text}");
     }
 }
+
+/// What is told of a project, in both languages, without its help.
+fn told(text: &str) -> Vec<[String; 2]> {
+    let made = import(text, Board::UNO);
+    let told = made.diagnostics.iter();
+    let messages = told.map(|told| [told.message(Lang::En), told.message(Lang::Pt)]);
+    messages.collect()
+}
+
+#[test]
+fn messages_name_the_rung_and_the_element() {
+    let rail = |id: u32, y: u32| {
+        format!(
+            r#"<leftPowerRail localId="{id}"><position x="0" y="{y}"/><connectionPointOut/></leftPowerRail>"#
+        )
+    };
+    let wire = |from: u32| {
+        format!("<connectionPointIn><connection refLocalId=\"{from}\"/></connectionPointIn>")
+    };
+    let a = wire(700);
+    let body = [
+        "<LD>".to_owned(),
+        rail(700, 10),
+        format!(r#"<contact localId="701"><position x="9" y="10"/>{a}<connectionPointOut/><variable>a</variable></contact>"#),
+        format!(r#"<coil localId="702"><position x="90" y="10"/>{}<variable>q</variable></coil>"#, wire(701)),
+        rail(710, 90),
+        format!(
+            r#"<block localId="711" typeName="TON" instanceName="lamp"><position x="50" y="90"/><inputVariables><variable formalParameter="IN">{}</variable></inputVariables><outputVariables><variable formalParameter="Q"><connectionPointOut/></variable></outputVariables></block>"#,
+            wire(710)
+        ),
+        r#"<coil localId="712"><position x="90" y="90"/><connectionPointIn><connection refLocalId="711" formalParameter="Q"/></connectionPointIn><variable>q</variable></coil>"#.to_owned(),
+        rail(720, 200),
+        format!(r#"<block localId="721" typeName="PID"><position x="50" y="200"/><inputVariables><variable formalParameter="X">{}</variable></inputVariables><outputVariables/></block>"#, wire(720)),
+        "</LD>".to_owned(),
+    ]
+    .concat();
+    let variables = format!(
+        "{VARIABLES}<variable name=\"lamp\"><type><derived name=\"TON\"/></type></variable>"
+    );
+    assert_eq!(
+        told(&project(&variables, &body)),
+        [
+            [
+                "`Main`, rung 2, block `lamp` (TON): nothing leads to PT",
+                "`Main`, linha 2, bloco `lamp` (TON): nada chega a PT"
+            ],
+            [
+                "`Main`, rung 3, block `PID`: the block `PID` cannot be imported",
+                "`Main`, linha 3, bloco `PID`: o bloco `PID` não pode ser importado"
+            ],
+        ]
+    );
+}
+
+#[test]
+fn what_a_body_is_drawn_in_is_told_with_what_to_do() {
+    for (body, en, pt, help) in [
+        (
+            "<SFC/>",
+            "the body of `Main` is a sequential function chart (SFC), which cannot be imported",
+            "o corpo de `Main` é um gráfico sequencial (SFC), que não pode ser importado",
+            "write its steps as a CASE in ST, or draw them as coils that are set and reset in LD",
+        ),
+        (
+            "<FBD/>",
+            "the body of `Main` is a function block diagram (FBD), which cannot be imported",
+            "o corpo de `Main` é um diagrama de blocos (FBD), que não pode ser importado",
+            "draw it as a ladder (LD), or write it in ST",
+        ),
+        (
+            "<ST/></body><body><ST/>",
+            "the body of `Main` is on several sheets, which cannot be imported",
+            "o corpo de `Main` é dividido em várias folhas, que não pode ser importado",
+            "put it on one sheet",
+        ),
+    ] {
+        let text = project("", body);
+        assert_eq!(told(&text), [[en.to_owned(), pt.to_owned()]]);
+        let made = import(&text, Board::UNO);
+        assert_eq!(made.diagnostics[0].help(Lang::En), help);
+    }
+}

@@ -173,6 +173,11 @@ macro_rules! xml_rows {
         "put the condition of the jump into the rungs that it passes over, or into EN of their blocks"
         "{0}: um desvio não pode ficar em um ladder com fios que voltam, blocos do próprio projeto, conversões, SEL e semelhantes"
         "ponha a condição do desvio nas linhas que ele salta, ou em EN dos blocos delas";
+    535 XmlNoGlobal Warning
+        "no global variable `{0}` is declared, so one is made of it"
+        "declare it among the global variables of the resource, with its address"
+        "nenhuma variável global `{0}` está declarada; por isso uma é criada"
+        "declare-a entre as variáveis globais do recurso, com o endereço";
         }
     };
 }
