@@ -1,7 +1,7 @@
 //! The elements of a ladder body, and the wires between them.
 
 use crate::found::{Found, span};
-use crate::numbered as rungs;
+use crate::numbered::numbers;
 use crate::xml::{all, first, says, text};
 use roxmltree::Node;
 use std::collections::HashMap;
@@ -95,13 +95,37 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
             network.elements.push(element);
         }
         network.link();
-        network.rungs = rungs::numbers(&network.elements);
+        network.rungs = network.numbered();
         for (index, code, node, word) in wrong {
             let mut words = vec![network.name(index).into()];
             words.extend(word);
             found.take(Diagnostic::new(code, span(node), words));
         }
         network
+    }
+
+    /// In which rung each element stands.
+    fn numbered(&self) -> Vec<Option<usize>> {
+        let beside = [
+            "leftPowerRail",
+            "rightPowerRail",
+            "label",
+            "comment",
+            "vendorElement",
+        ];
+        let elements = self.elements.iter();
+        let places: Vec<Option<(i64, i64)>> = elements
+            .map(|element| (!beside.contains(&element.kind)).then_some(element.place))
+            .collect();
+        let elements = self.elements.iter().enumerate();
+        let wires = elements
+            .filter(|(_, element)| element.kind != "rightPowerRail")
+            .flat_map(|(at, element)| {
+                let wires = element.inputs.iter().flat_map(|pin| &pin.wires);
+                wires.map(move |wire| (wire.from, at))
+            })
+            .filter(|(from, _)| self.elements[*from].kind != "leftPowerRail");
+        numbers(&places, wires)
     }
 
     /// Notes where outputs and connectors lead.

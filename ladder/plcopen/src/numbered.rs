@@ -1,36 +1,23 @@
 //! The rungs of a ladder body, which a person counts from the top: what wires hold together, rails left out.
 
-use crate::network::Element;
-
-/// In which rung each element stands, from 1; none of rails, labels and comments.
-pub(crate) fn numbers(elements: &[Element<'_, '_>]) -> Vec<Option<usize>> {
-    let mut joined = Joined((0..elements.len()).collect());
-    for (at, element) in elements.iter().enumerate() {
-        if element.kind == "rightPowerRail" {
-            continue;
-        }
-        for wire in element.inputs.iter().flat_map(|pin| &pin.wires) {
-            let is_rail = elements
-                .get(wire.from)
-                .is_none_or(|from| from.kind == "leftPowerRail");
-            if !is_rail {
-                joined.join(wire.from, at);
-            }
-        }
+/// In which rung each element stands, from 1. Of each it is given where it is drawn, none of rails, labels and comments;
+/// and which two of them a wire joins.
+pub(crate) fn numbers(
+    places: &[Option<(i64, i64)>],
+    wires: impl Iterator<Item = (usize, usize)>,
+) -> Vec<Option<usize>> {
+    let mut joined = Joined((0..places.len()).collect());
+    for (one, other) in wires {
+        joined.join(one, other);
     }
-    let is_drawn = |element: &Element<'_, '_>| {
-        !matches!(
-            element.kind,
-            "leftPowerRail" | "rightPowerRail" | "label" | "comment" | "vendorElement"
-        )
-    };
-    let roots: Vec<usize> = (0..elements.len()).map(|at| joined.root(at)).collect();
-    let drawn = elements.iter().enumerate().filter(|(_, e)| is_drawn(e));
-    let mut drawn: Vec<usize> = drawn.map(|(at, _)| at).collect();
-    drawn.sort_by_key(|at| (elements[*at].place, *at));
-    let (mut numbers, mut next) = (vec![None; elements.len()], 1);
-    let mut rungs = vec![None; elements.len()];
-    for at in drawn {
+    let roots: Vec<usize> = (0..places.len()).map(|at| joined.root(at)).collect();
+    let drawn = places.iter().enumerate();
+    let drawn = drawn.filter_map(|(at, place)| place.map(|place| (place, at)));
+    let mut drawn: Vec<_> = drawn.collect();
+    drawn.sort_unstable();
+    let (mut numbers, mut next) = (vec![None; places.len()], 1);
+    let mut rungs = vec![None; places.len()];
+    for (_, at) in drawn {
         let number = numbers[roots[at]].get_or_insert_with(|| {
             next += 1;
             next - 1

@@ -1,8 +1,8 @@
 //! Results of functions.
 
 use super::Body;
-use super::kinds::{What, usual};
 use super::sentences::{Piece, inverted, piece};
+use super::what::{What, usual};
 use crate::circuit::Circuit;
 use crate::found::span;
 use crate::network::{Reader, Wire};

@@ -1,62 +1,10 @@
 //! Of which type a result is, where a variable has to keep it.
 
 use super::Body;
-use super::units::{Units, returns, standard};
-use crate::network::{Network, Wire};
-use unoclp_lang::typed::{Base, is_function};
-
-/// What a block is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum What {
-    /// A function block.
-    Block,
-    /// A function of the project.
-    Own,
-    /// A comparison, or another function of the norm that gives a truth at once.
-    Truth,
-    /// A function of the norm.
-    Function,
-    /// It is not known.
-    Unknown,
-    /// No block at all.
-    Other,
-}
-
-impl What {
-    pub(super) fn is_function(self) -> bool {
-        matches!(self, What::Own | What::Truth | What::Function)
-    }
-}
-
-/// What each element is.
-pub(super) fn own(network: &Network<'_, '_>, units: &Units<'_, '_, '_>) -> Vec<What> {
-    let elements = network.elements.iter();
-    let what = elements.map(|element| {
-        if element.kind != "block" {
-            return What::Other;
-        }
-        let name = element.block();
-        match units.get(&name) {
-            _ if units.is_block(element) => What::Block,
-            Some(_) => What::Own,
-            None if matches!(&*name, "GT" | "GE" | "EQ" | "NE" | "LE" | "LT") => What::Truth,
-            None if is_function(usual(&name)) => What::Function,
-            None => What::Unknown,
-        }
-    });
-    what.collect()
-}
-
-/// The name of a function that the norm has for times alone too: `SUB_TIME`.
-pub(super) fn usual(name: &str) -> &str {
-    match name {
-        "ADD_TIME" | "ADD_TOD_TIME" | "ADD_DT_TIME" => "ADD",
-        "SUB_TIME" | "SUB_TOD_TIME" | "SUB_DT_TIME" => "SUB",
-        "MULTIME" | "MUL_TIME" => "MUL",
-        "DIVTIME" | "DIV_TIME" => "DIV",
-        name => name,
-    }
-}
+use super::units::{returns, standard};
+use super::what::What;
+use crate::network::Wire;
+use unoclp_lang::typed::Base;
 
 /// Results after each other are looked at so far, to find a type.
 const FAR: usize = 32;

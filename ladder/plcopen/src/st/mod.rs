@@ -5,7 +5,8 @@
 //! - `power`: the way of the power to an element, as an expression
 //! - `blocks`: calls of function blocks; `functions`: results of functions
 //! - `kinds`: of which type a result is, where it is stored
-//! - `sentences`: statements as they are written; `units`: what blocks a project has
+//! - `sentences`: statements as they are written; `units`: what blocks a project has; `what`: what a block is; `wires`:
+//!   circles, and rungs that write what they read
 //!
 //! A block is called once, before what takes its result first. Wires that lead back to a block bring what it gave in the
 //! scan before.
@@ -16,6 +17,8 @@ mod kinds;
 mod power;
 mod sentences;
 mod units;
+mod what;
+mod wires;
 
 pub(crate) use units::Units;
 
@@ -60,11 +63,11 @@ pub(crate) fn write<'a, 'x: 'a>(
     let variables: HashMap<String, &Variable> = variables
         .map(|variable| (variable.name.to_uppercase(), variable))
         .collect();
-    let own = kinds::own(&network, units);
+    let own = what::own(&network, units);
     let mut body = Body {
         taken: variables.keys().cloned().collect(),
-        circles: power::circles(&network, &own),
-        rewrites: power::rewrites(&network, &own),
+        circles: wires::circles(&network, &own),
+        rewrites: wires::rewrites(&network, &own),
         own,
         network: &network,
         units,
@@ -111,7 +114,7 @@ struct Body<'b, 'a, 'x> {
     /// Names that are taken, in capitals.
     taken: HashSet<String>,
     /// What each block is.
-    own: Vec<kinds::What>,
+    own: Vec<what::What>,
     /// Elements whose wires lead back to them.
     circles: Vec<bool>,
     /// Elements of rungs that write what they read.
@@ -154,7 +157,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
                 None
             }
             "block" if self.own[at].is_function() => self.store(at),
-            "block" if self.own[at] == kinds::What::Unknown => self.unknown(at),
+            "block" if self.own[at] == what::What::Unknown => self.unknown(at),
             "block" => {
                 if let (Some(order), true) = (element.order, self.begun.contains_key(&at)) {
                     self.tell(Code::XmlOrder, at, [order.to_string().into()]);

@@ -1,13 +1,12 @@
 //! The way of the power to an element, as an expression.
 
 use super::Body;
-use super::kinds::What;
 use super::sentences::{Piece, inverted, piece};
+use super::what::What;
 use crate::circuit::{Circuit, Item, Key, Leaf, leaves, together};
 use crate::found::span;
-use crate::network::{Network, Wire, edge};
+use crate::network::{Wire, edge};
 use crate::xml::says;
-use std::collections::{HashMap, HashSet};
 use unoclp_lang::{Code, Span};
 
 /// More elements than this stand in no series.
@@ -270,93 +269,4 @@ fn operand(written: &str) -> String {
         true => written.to_owned(),
         false => format!("({written})"),
     }
-}
-
-/// The elements whose wires lead back to them, and through no function block.
-pub(super) fn circles(network: &Network<'_, '_>, own: &[What]) -> Vec<bool> {
-    let before = |at: usize| -> Vec<usize> {
-        let element = &network.elements[at];
-        let wires = element.inputs.iter().flat_map(|pin| &pin.wires);
-        let wires = wires.filter(|wire| own[wire.from] != What::Block);
-        let mut from: Vec<usize> = wires.map(|wire| wire.from).collect();
-        if element.kind == "continuation" {
-            from.extend(network.connector(at));
-        }
-        from
-    };
-    let count = network.elements.len();
-    let (mut order, mut low) = (vec![0_usize; count], vec![0_usize; count]);
-    let (mut waits, mut is_waiting) = (Vec::new(), vec![false; count]);
-    let (mut next, mut found) = (1, vec![false; count]);
-    for start in 0..count {
-        let mut open = match order[start] {
-            0 => vec![(start, before(start), 0)],
-            _ => continue,
-        };
-        while let Some((at, from, looked)) = open.last_mut() {
-            let at = *at;
-            if *looked == 0 {
-                (order[at], low[at]) = (next, next);
-                next += 1;
-                waits.push(at);
-                is_waiting[at] = true;
-                found[at] = from.contains(&at);
-            }
-            if let Some(&other) = from.get(*looked) {
-                *looked += 1;
-                if order[other] == 0 {
-                    let others = before(other);
-                    open.push((other, others, 0));
-                } else if is_waiting[other] {
-                    low[at] = low[at].min(order[other]);
-                }
-                continue;
-            }
-            if low[at] == order[at] {
-                let first = waits.iter().rposition(|of| *of == at).unwrap_or(0);
-                let circle = waits.split_off(first);
-                for of in &circle {
-                    is_waiting[*of] = false;
-                    found[*of] |= circle.len() > 1;
-                }
-            }
-            let of = low[at];
-            open.pop();
-            if let Some((before, ..)) = open.last() {
-                low[*before] = low[*before].min(of);
-            }
-        }
-    }
-    found
-}
-
-/// The elements of rungs that write what they read.
-pub(super) fn rewrites(network: &Network<'_, '_>, own: &[What]) -> Vec<bool> {
-    let name = |written: &str| -> String {
-        let name = written.split(['.', '[']).next().unwrap_or_default();
-        name.trim().to_uppercase()
-    };
-    let mut written: HashMap<usize, HashSet<String>> = HashMap::new();
-    for (at, element) in network.elements.iter().enumerate() {
-        let is_out = match element.kind {
-            "coil" | "outVariable" => true,
-            "inOutVariable" => !element.wires("").is_empty(),
-            _ => false,
-        };
-        if is_out {
-            let rung = written.entry(network.rung(at)).or_default();
-            rung.insert(name(&element.written));
-        }
-    }
-    let mut rungs = HashSet::new();
-    for (at, element) in network.elements.iter().enumerate() {
-        let reads = matches!(element.kind, "contact" | "inVariable" | "inOutVariable");
-        let rung = network.rung(at);
-        let is_written = |of: &HashSet<String>| of.contains(&name(&element.written));
-        if reads && written.get(&rung).is_some_and(is_written) {
-            rungs.insert(rung);
-        }
-    }
-    let all = 0..own.len();
-    all.map(|at| rungs.contains(&network.rung(at))).collect()
 }
