@@ -1,6 +1,6 @@
 //! The server: connections within limits, files, and visitors.
 
-use crate::api::{self, Api, Archive, Caller};
+use crate::api::{self, Api, Archive, Caller, Sheets};
 use crate::doors::{self, Door};
 use crate::gateway::{self, Gateway, LONGEST, PROMPT};
 use crate::modbus;
@@ -119,6 +119,7 @@ impl Server {
             metrics,
             past,
             alarms,
+            panels,
             keep,
             tell,
         } = sharing.map(Sharing::wire).unwrap_or_default();
@@ -129,6 +130,7 @@ impl Server {
             metrics,
             archive: Archive::new(past),
             alarms,
+            sheets: Sheets::new(panels, &boards),
         };
         let shared = Shared {
             pages: Arc::new(pages),

@@ -3,6 +3,7 @@
 use crate::alarm::Alarm;
 use crate::broker::{Broker, Secret, Sparkplug};
 use crate::database::Server;
+use crate::panel::Panel;
 use crate::points::{Kind, Place, Points};
 use crate::users::User;
 use std::net::SocketAddr;
@@ -11,7 +12,7 @@ use unoclp_client::diagnostics::Kept;
 use unoclp_modbus::map::Parity;
 
 /// A site: boards at lines, and what is served of them.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Site {
     /// The page.
     pub http: Http,
@@ -27,6 +28,8 @@ pub struct Site {
     pub journal: Journal,
     /// The alarms, each with a name of its own.
     pub alarms: Vec<Alarm>,
+    /// The panels: those of files, then those that boards have without one.
+    pub panels: Vec<Panel>,
     /// Who may do what; nobody: tokens say so.
     pub users: Vec<User>,
 }
