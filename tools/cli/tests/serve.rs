@@ -11,6 +11,9 @@ mod database;
 #[allow(unused_imports, reason = "each test uses its part")]
 mod pty;
 
+#[path = "serve/steps.rs"]
+mod steps;
+
 use broker::{Broker, Listener};
 use pty::{Board, Fake};
 use std::io::{BufRead, BufReader, Lines, Read, Write};

@@ -23,8 +23,7 @@ impl Files for Folder {
             return Ok("x = 1\n[[item]]\nx = 1\n[[bind]]\nx = 1\n".into());
         }
         assert_eq!(name, "estufa.st");
-        let text = "PROGRAM p VAR fan AT %QX0.0 : BOOL; target : DINT; END_VAR fan := target > 5; END_PROGRAM\n";
-        Ok(text.into())
+        Ok(include_bytes!("../../../docs/site/estufa.st").into())
     }
 }
 

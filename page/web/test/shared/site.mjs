@@ -25,7 +25,7 @@ try {
   await lamp.filter({ hasText: "off" }).click();
   await lamp.filter({ hasText: "on" }).waitFor();
   await page.click("#to-trends");
-  await page.locator('[data-point="one.Q1"]').waitFor();
+  await page.locator('#of-trends [data-point="one.Q1"]').waitFor();
   await page.locator(".chart canvas").waitFor();
   await page.click("#to-deeds");
   await page.locator("#of-deeds tr", { hasText: "Q1 = 1" }).waitFor();
