@@ -124,13 +124,16 @@ impl Server {
             tell,
         } = sharing.map(Sharing::wire).unwrap_or_default();
         let gateways: Arc<[_]> = boards.iter().map(|board| board.gateway.clone()).collect();
+        let sheets = boards
+            .iter()
+            .map(|board| (board.unit, &*board.gateway, board.watched.as_ref()));
         let api = Api {
             gateways: gateways.clone(),
             door,
             metrics,
             archive: Archive::new(past),
             alarms,
-            sheets: Sheets::new(panels, &boards),
+            sheets: Sheets::new(panels, sheets),
         };
         let shared = Shared {
             pages: Arc::new(pages),

@@ -1,8 +1,8 @@
 //! Who is answered, and with what: boards, and the numbers for Prometheus.
 
 use super::answers::{BoardNow, Health};
-use super::panels::Sheets;
 use super::past::{Archive, No};
+use super::sheets::Sheets;
 use super::text::{JSON, guarded, text, wrong};
 
 use crate::doors::{self, Door};
