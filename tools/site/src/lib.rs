@@ -16,10 +16,12 @@ mod broker;
 mod database;
 mod duration;
 mod files;
+mod grant;
 mod grants;
 mod kept;
 mod keys;
 mod lines;
+mod made;
 mod mistake;
 mod mqtt;
 mod named;
@@ -39,12 +41,11 @@ pub use broker::{Broker, Secret, Sparkplug};
 pub use database::Server;
 pub use duration::duration;
 pub use files::Files;
+pub use grant::Grant;
 pub use mistake::{Mistake, Wrong};
 pub use panel::{Bind, Does, Item, Look, Panel};
 pub use plan::plan;
 pub use points::{Kind, Place, Point, Points};
 pub use read::read;
-pub use site::{
-    Board, Encryption, Grant, History, Http, Journal, Line, Modbus, Mqtt, Site, Store, Way,
-};
+pub use site::{Board, Encryption, History, Http, Journal, Line, Modbus, Mqtt, Site, Store, Way};
 pub use users::{Role, User};

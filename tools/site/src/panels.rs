@@ -3,8 +3,9 @@
 use crate::alarm::Text;
 use crate::files::Files;
 use crate::keys::{Amiss, At, Keys, number};
+use crate::made::{grant, made_for};
 use crate::mistake::{Mistake, Wrong};
-use crate::panel::{Bind, Does, Item, Look, Panel, grant, made_for, plain};
+use crate::panel::{Bind, Does, Item, Look, Panel, plain};
 use crate::points::Point;
 use crate::site::{Board, Line};
 use unoclp_keyed::{DeValue, keyed};

@@ -3,7 +3,8 @@
 use crate::alarm::{Alarm, Severity};
 use crate::broker::Sparkplug;
 use crate::duration::written;
-use crate::site::{Board, Encryption, Grant, Journal, Line, Modbus, Mqtt, Site, Store, Way};
+use crate::grant::Grant;
+use crate::site::{Board, Encryption, Journal, Line, Modbus, Mqtt, Site, Store, Way};
 use crate::size;
 use crate::users::{Role, User};
 use crate::words;
