@@ -150,7 +150,7 @@ fn may_read(expr: &Expr, changes: &Changes) -> bool {
     let mut rest = vec![expr];
     while let Some(expr) = rest.pop() {
         match &expr.kind {
-            ExprKind::Constant(_) | ExprKind::Wrong => {}
+            ExprKind::Constant(_) | ExprKind::Now | ExprKind::Wrong => {}
             ExprKind::Read(place) => {
                 any |= match changes {
                     Changes::Anything => true,
