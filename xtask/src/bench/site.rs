@@ -54,7 +54,7 @@ pub fn run() -> Result<()> {
     say("bench: a thousand boards");
     let mut scale = example("unoclp-serve", "scale");
     let scale: Scale = said(scale.arg(shell::root().join("target/release/unoclp")))?;
-    say("bench: a history of 100 million samples; this takes ten minutes and 5 GB");
+    say("bench: a history of 100 million samples; this takes an hour or more, and 5 GB");
     let trend: Trend = said(&mut example("unoclp-history", "trend"))?;
     for (file, page) in [
         ("site-benchmarks.md", page(&scale, &trend, &ENGLISH)),
