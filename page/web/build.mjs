@@ -30,6 +30,7 @@ const parts = {
       { in: "src/page/main.ts", out: "page" },
       { in: "src/tools/worker.ts", out: "tools" },
       { in: "src/board/worker.ts", out: "board" },
+      { in: "src/site/main.ts", out: "site" },
     ],
     splitting: true,
     chunkNames: "part-[hash]",

@@ -1,7 +1,8 @@
 //! `cargo xtask bench`: measures the firmware on a simulated UNO, the compiler and the machines on this PC, and writes
-//! `docs/benchmarks.md`, `docs/compile-benchmarks.md` and `docs/machine-benchmarks.md`.
+//! `docs/benchmarks.md`, `docs/compile-benchmarks.md` and `docs/machine-benchmarks.md`; with `--site`, `docs/site-benchmarks.md`.
 
 mod machines;
+mod site;
 
 use std::path::Path;
 use std::process::Command;
@@ -26,6 +27,9 @@ pub struct Args {
     /// Measure the machines alone
     #[arg(long)]
     machines: bool,
+    /// Measure a site alone: a thousand boards, and a long history; not done otherwise
+    #[arg(long)]
+    site: bool,
 }
 
 /// Sets up, builds the firmware, and has the simulator measure it beside its yardsticks.
@@ -35,6 +39,9 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<()> {
     if args.machines {
         return machines::run();
+    }
+    if args.site {
+        return site::run();
     }
     let toolchain = setup::for_simulator()?;
     let firmware = firmware::build(&toolchain, Model::Uno)?;

@@ -78,6 +78,7 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: impl Pages) -> anyho
                 metrics: None,
                 past: None,
                 alarms: None,
+                panels: Vec::new(),
                 record: None,
                 keep: None,
                 tell: None,
@@ -137,6 +138,7 @@ pub fn share_site(file: &Path, site: &Site, pages: impl Pages) -> anyhow::Result
     }
     let guard = guard_of(site, &server, &page)?;
     let server = server.encrypted(tls);
+    println!("{}", messages::overview_at(&page));
     for board in site.boards().skip(1) {
         println!("{}", messages::page_of_board(&board.name));
     }
@@ -178,6 +180,7 @@ pub fn share_site(file: &Path, site: &Site, pages: impl Pages) -> anyhow::Result
         metrics: Some(metrics),
         past: past.clone(),
         alarms: alarms.clone(),
+        panels: site.panels.clone(),
         record: record.clone(),
         keep: Some(keep),
         tell: Some(tell),

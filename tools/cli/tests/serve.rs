@@ -11,6 +11,9 @@ mod database;
 #[allow(unused_imports, reason = "each test uses its part")]
 mod pty;
 
+#[path = "serve/steps.rs"]
+mod steps;
+
 use broker::{Broker, Listener};
 use pty::{Board, Fake};
 use std::io::{BufRead, BufReader, Lines, Read, Write};
@@ -58,7 +61,11 @@ impl Server {
     }
 
     fn line(&mut self) -> String {
-        self.says.next().unwrap().unwrap()
+        let line = self.says.next().unwrap().unwrap();
+        match line.starts_with("all boards: ") {
+            true => self.line(),
+            false => line,
+        }
     }
 
     fn visitor(&self, token: &str) -> WebSocket<TcpStream> {
@@ -235,6 +242,36 @@ fn a_browser_watches_or_controls_the_board() {
         "control",
     );
     assert_eq!(fake.board().state, pty::STOP);
+}
+
+/// In a real Chromium: what the screens of a site make of a gateway.
+#[test]
+fn a_browser_operates_a_site_by_its_screens() {
+    let fake = Fake::new(Board::default());
+    fake.board().outputs = 4;
+    let lines = format!(
+        "[[panel]]\nfile = \"screens.panel.toml\"\n[history]\nstore = \"screens.db\"\n\
+         [[alarm]]\nname = \"lit\"\nwhen = \"one.Q3\"\ntext = \"it is lit\"\n\
+         [[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"20ms\"\n",
+        fake.path()
+    );
+    let file = site("screens", &lines);
+    forget(&file);
+    let panel = "[[item]]\nshow = \"switch\"\npoint = \"one.Q1\"\nlabel = { en = \"Lamp\", pt = \"Lâmpada\" }\n";
+    std::fs::write(file.replace(".toml", ".panel.toml"), panel).unwrap();
+    let server = Server::of(&mut unoclp_site(&file));
+    let address = format!("http://{}/site.html", server.address);
+    let visited = Command::new("node")
+        .arg(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../page/web/test/shared/site.mjs"
+        ))
+        .arg(address)
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&visited.stderr);
+    assert!(visited.status.success(), "{said}");
+    assert_eq!(fake.board().outputs, 5);
 }
 
 #[test]

@@ -75,6 +75,12 @@ impl Deeds {
         }
     }
 
+    /// A board has taken the value of a point that somebody has set on a panel.
+    pub fn panel(&self, who: &Who, from: IpAddr, board: &str, point: &str, value: f64) {
+        let detail = detail(point, &value.to_string());
+        self.put(&who.name, Some(from), board, "write", detail);
+    }
+
     /// Somebody has acknowledged an alarm.
     pub fn acknowledged(&self, who: &Who, from: IpAddr, alarm: &str) {
         self.put(&who.name, Some(from), alarm, "acknowledge", String::new());

@@ -26,7 +26,7 @@ use tokio::sync::Notify;
 use tokio::time::timeout;
 use unoclp_client::diagnostics::Kept;
 use unoclp_modbus::client::Request;
-use unoclp_modbus::map::{form, input};
+use unoclp_modbus::map::{self, State, flag, form, input};
 use unoclp_modbus::{Exception, Table};
 
 /// Within this a visitor sends the head of its request and the token, and takes a part of what is sent: a slower one is
@@ -56,6 +56,17 @@ pub(crate) struct Gateway {
     pub deeds: Arc<Deeds>,
     pub places: Places,
     values: Mutex<Values>,
+    condition: Mutex<Option<Condition>>,
+}
+
+/// What a board does, as it has told last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Condition {
+    pub state: State,
+    /// The number of its fault, and the line, where it is in FAULT; 0: none.
+    pub fault: u16,
+    pub line: u32,
+    pub is_forced: bool,
 }
 
 /// What the points of a board were when they were last read; none of a point that is not known any more.
@@ -162,6 +173,7 @@ impl Gateway {
             deeds,
             places,
             values: Mutex::default(),
+            condition: Mutex::default(),
         }
     }
 
@@ -172,6 +184,12 @@ impl Gateway {
     /// What its points were when they were last read, where they are read.
     pub fn values(&self) -> std::sync::MutexGuard<'_, Values> {
         self.values.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// What it does, as it has told last.
+    pub fn condition(&self) -> std::sync::MutexGuard<'_, Option<Condition>> {
+        let condition = self.condition.lock();
+        condition.unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Room for a visitor, if there is some.
@@ -259,9 +277,9 @@ async fn answer(
     reply
 }
 
-/// Which program the board keeps.
+/// Which program the board keeps. What it does is told too, and noted.
 pub(crate) async fn kept_by(gateway: &Gateway) -> Result<Kept, Exception> {
-    let (first, last) = (input::FLAGS.first, input::PROGRAM_SUM.first);
+    let (first, last) = (input::STATE.first, input::PROGRAM_SUM.first);
     let count = last - first + 1;
     let address = gateway.line.address();
     let request = Request::read(address, Table::InputRegisters, first, count);
@@ -271,7 +289,9 @@ pub(crate) async fn kept_by(gateway: &Gateway) -> Result<Kept, Exception> {
     };
     let words: Vec<u16> = reply.words().collect();
     let word = |address: u16| words.get(usize::from(address - first)).copied();
-    match [first, input::PROGRAM_BYTES.first, last].map(word) {
+    let flags = input::FLAGS.first;
+    *gateway.condition() = condition(&words);
+    match [flags, input::PROGRAM_BYTES.first, last].map(word) {
         [Some(flags), Some(bytes), Some(sum)] => Ok(Kept {
             version: form::version(flags),
             bytes,
@@ -279,6 +299,24 @@ pub(crate) async fn kept_by(gateway: &Gateway) -> Result<Kept, Exception> {
         }),
         _ => Err(Exception::GatewayTargetSilent),
     }
+}
+
+/// What a board does, by the words that begin with its state; none of a state that is not known.
+fn condition(words: &[u16]) -> Option<Condition> {
+    let first = input::STATE.first;
+    let word = |address: u16| words.get(usize::from(address - first)).copied();
+    let state = State::of(word(first)?)?;
+    let line = input::LINE.first;
+    let is_fault = state == State::Fault;
+    let line = map::long(word(line)?, word(line + 1)?);
+    Some(Condition {
+        state,
+        fault: word(input::FAULT.first)
+            .filter(|_| is_fault)
+            .unwrap_or_default(),
+        line: if is_fault { line } else { 0 },
+        is_forced: word(input::FLAGS.first)? & flag::FORCED != 0,
+    })
 }
 
 /// What a visitor is told once it is let in.

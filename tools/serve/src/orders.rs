@@ -72,21 +72,29 @@ pub(crate) async fn attend(ordered: Ordered, units: Vec<(u8, Arc<Gateway>)>) {
     while let Some(Order { grant, value, done }) = orders.recv().await {
         let board = units.iter().find(|(unit, _)| *unit == grant.unit);
         done(match board {
-            Some((_, gateway)) => write(gateway, &grant, value).await,
+            Some((_, gateway)) => {
+                let written = write(gateway, &grant, value).await;
+                if written.is_ok() {
+                    let deeds = &gateway.deeds;
+                    deeds.broker(&gateway.name, &grant.point, value);
+                }
+                written
+            }
             None => Err(Exception::GatewayPathUnavailable),
         });
     }
 }
 
-async fn write(gateway: &Gateway, grant: &Grant, value: f64) -> Result<(), Exception> {
+/// Writes a value, if a machine may now.
+///
+/// # Errors
+/// The exception that refuses it.
+pub(crate) async fn write(gateway: &Gateway, grant: &Grant, value: f64) -> Result<(), Exception> {
     let request = request(gateway.line.address(), grant, value)?;
     may_write(gateway, grant.while_kept).await?;
     let reply = gateway.line.ask(request.clone(), Role::Control).await;
     match request.answer(&reply) {
-        Some(Ok(_)) => {
-            gateway.deeds.broker(&gateway.name, &grant.point, value);
-            Ok(())
-        }
+        Some(Ok(_)) => Ok(()),
         Some(Err(NoReply::Refused(exception))) => Err(exception),
         Some(Err(NoReply::Garbled)) | None => Err(Exception::GatewayTargetSilent),
     }

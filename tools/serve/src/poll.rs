@@ -7,7 +7,7 @@ use crate::tokens::Role;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::time::{MissedTickBehavior, interval};
+use tokio::time::{Instant, MissedTickBehavior, interval};
 use unoclp_modbus::Table;
 use unoclp_modbus::client::Request;
 use unoclp_modbus::map::{self, Width};
@@ -16,6 +16,9 @@ use unoclp_site::{Kind, Place, Point, Points};
 
 /// The most addresses that one request reads here: whole values of 32 bits.
 const MOST: u16 = 124;
+
+/// How often a board that shall keep no certain program is asked what it does.
+const TOLD: Duration = Duration::from_secs(1);
 
 /// What is read of a board.
 #[derive(Clone, Debug)]
@@ -47,6 +50,7 @@ pub(crate) async fn attend(gateway: Arc<Gateway>, watched: Watched, keep: Option
     let mut known = Known::default();
     let mut holds = watched.points.program.is_some();
     let mut every = interval(watched.every);
+    let mut told = None::<Instant>;
     every.set_missed_tick_behavior(MissedTickBehavior::Delay);
     loop {
         every.tick().await;
@@ -55,7 +59,15 @@ pub(crate) async fn attend(gateway: Arc<Gateway>, watched: Watched, keep: Option
         // The names of a program hold while the board keeps it: it is asked once all has been read.
         let keeps = match watched.points.program {
             Some(program) => kept_by(&gateway).await.ok().map(|kept| kept == program),
-            None => Some(holds),
+            None => {
+                // What it does is asked less often than what its points are.
+                if told.is_none_or(|told| told.elapsed() >= TOLD) {
+                    told = Some(Instant::now());
+                    // Why it does not tell is known where it is looked for.
+                    let _ = kept_by(&gateway).await;
+                }
+                Some(holds)
+            }
         };
         let read = read.filter(|_| keeps == Some(holds));
         holds = keeps.unwrap_or(holds);

@@ -1,6 +1,6 @@
 //! The server: connections within limits, files, and visitors.
 
-use crate::api::{self, Api, Archive, Caller};
+use crate::api::{self, Api, Archive, Caller, Sheets};
 use crate::doors::{self, Door};
 use crate::gateway::{self, Gateway, LONGEST, PROMPT};
 use crate::modbus;
@@ -119,16 +119,21 @@ impl Server {
             metrics,
             past,
             alarms,
+            panels,
             keep,
             tell,
         } = sharing.map(Sharing::wire).unwrap_or_default();
         let gateways: Arc<[_]> = boards.iter().map(|board| board.gateway.clone()).collect();
+        let sheets = boards
+            .iter()
+            .map(|board| (board.unit, &*board.gateway, board.watched.as_ref()));
         let api = Api {
             gateways: gateways.clone(),
             door,
             metrics,
             archive: Archive::new(past),
             alarms,
+            sheets: Sheets::new(panels, sheets),
         };
         let shared = Shared {
             pages: Arc::new(pages),

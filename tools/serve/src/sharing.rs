@@ -14,6 +14,7 @@ use std::sync::Arc;
 use unoclp_alarm::Alarms;
 use unoclp_client::diagnostics::Kept;
 use unoclp_record::Record;
+use unoclp_site::Panel;
 
 /// Visitors of the board at a time, and those of one address; more are refused.
 const VISITORS: usize = 64;
@@ -35,6 +36,8 @@ pub struct Sharing {
     pub past: Option<Arc<dyn Past>>,
     /// The alarms, if there are some.
     pub alarms: Option<Arc<Alarms>>,
+    /// The panels: what stands on them may be written by who operates.
+    pub panels: Vec<Panel>,
     /// Where it is recorded who does what, if it is.
     pub record: Option<Arc<Record>>,
     /// Who keeps what the points of boards that are watched were, if anybody does.
@@ -75,6 +78,7 @@ pub(crate) struct Wired {
     pub metrics: Option<Metrics>,
     pub past: Option<Arc<dyn Past>>,
     pub alarms: Option<Arc<Alarms>>,
+    pub panels: Vec<Panel>,
     pub keep: Option<Keep>,
     pub tell: Option<Tell>,
 }
@@ -89,6 +93,7 @@ impl Sharing {
             metrics,
             past,
             alarms,
+            panels,
             record,
             keep,
             tell,
@@ -121,6 +126,7 @@ impl Sharing {
             metrics,
             past,
             alarms,
+            panels,
             keep,
             tell,
         }

@@ -1,9 +1,10 @@
 //! What may be written by name.
 
+use crate::grant::Grant;
 use crate::keys::{At, Keys};
 use crate::mistake::Wrong;
 use crate::points::{Point, own};
-use crate::site::{Board, Grant};
+use crate::site::Board;
 
 const EXAMPLE: &str = "[\"estufa.alvo\"]";
 /// As many names as are listed to somebody who looks for one.

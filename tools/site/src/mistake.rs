@@ -188,6 +188,48 @@ pub enum Wrong {
     },
     /// An alarm says nothing.
     NoText,
+    /// A file of a panel, or its drawing, cannot be read.
+    NoPanel {
+        /// The file.
+        file: String,
+        /// Why.
+        why: String,
+    },
+    /// It is no text, or too long.
+    NoTextFile {
+        /// The file.
+        file: String,
+    },
+    /// Something is wrong in the file of a panel.
+    InPanel {
+        /// The file.
+        file: String,
+        /// The line.
+        line: usize,
+        /// What.
+        wrong: Box<Wrong>,
+    },
+    /// Two panels are called the same.
+    TwoPanels {
+        /// The name.
+        name: String,
+    },
+    /// A board records no point of this name.
+    NotRecorded {
+        /// The board.
+        board: String,
+        /// The point.
+        point: String,
+        /// Those that it does.
+        known: String,
+    },
+    /// The least value is not below the most.
+    NoRange,
+    /// A label is too long.
+    LongLabel {
+        /// The most, characters.
+        most: usize,
+    },
     /// Two users are called the same.
     TwoUsers {
         /// The name.
@@ -260,6 +302,19 @@ impl Reason for Wrong {
             Wrong::ReadsNothing => words::reads_nothing(lang),
             Wrong::LongCondition { most } => words::long_condition(lang, most),
             Wrong::NoText => words::no_text(lang),
+            Wrong::NoPanel { file, why } => words::no_panel(lang, file, why),
+            Wrong::NoTextFile { file } => words::no_text_file(lang, file),
+            Wrong::InPanel { file, line, wrong } => {
+                format!("{file}:{line}: {}", wrong.text(lang))
+            }
+            Wrong::TwoPanels { name } => words::two_panels(lang, name),
+            Wrong::NotRecorded {
+                board,
+                point,
+                known,
+            } => words::not_recorded(lang, board, point, known),
+            Wrong::NoRange => words::no_range(lang),
+            Wrong::LongLabel { most } => words::long_label(lang, most),
             Wrong::TwoUsers { name } => words::two_users(lang, name),
             Wrong::NoKeyOfUser => words::no_key_of_user(lang),
             Wrong::ReadOnly { point, known } => words::read_only(lang, point, known),

@@ -3,7 +3,8 @@
 use crate::alarm::{Alarm, Severity};
 use crate::broker::Sparkplug;
 use crate::duration::written;
-use crate::site::{Board, Encryption, Grant, Journal, Line, Modbus, Mqtt, Site, Store, Way};
+use crate::grant::Grant;
+use crate::site::{Board, Encryption, Journal, Line, Modbus, Mqtt, Site, Store, Way};
 use crate::size;
 use crate::users::{Role, User};
 use crate::words;
@@ -46,6 +47,8 @@ pub fn plan(site: &Site, lang: Lang) -> String {
         lines.extend(mqtt(of, lang));
     }
     lines.extend(site.alarms.iter().map(|of| alarm(of, lang)));
+    let of_files = site.panels.iter().filter(|panel| !panel.is_made);
+    lines.extend(of_files.map(|of| words::panel(lang, &of.name, of.items.len() + of.binds.len())));
     lines.extend(site.users.iter().map(|of| user(of, lang)));
     lines.iter().map(|line| format!("{line}\n")).collect()
 }

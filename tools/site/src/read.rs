@@ -8,6 +8,7 @@ use crate::keys::{Amiss, At, Keys, address};
 use crate::lines::lines;
 use crate::mistake::{Mistake, Wrong};
 use crate::mqtt::mqtt;
+use crate::panels::panels;
 use crate::site::{Encryption, Http, Modbus, Site};
 use crate::users::users;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -20,7 +21,7 @@ use unoclp_keyed::keyed;
 pub fn read(text: &str, files: &dyn Files) -> Result<Site, Vec<Mistake>> {
     keyed(text, |keys: &Keys<'_>| {
         keys.known(&[
-            "http", "line", "modbus", "mqtt", "history", "journal", "alarm", "user",
+            "http", "line", "modbus", "mqtt", "history", "journal", "alarm", "panel", "user",
         ]);
         site(keys, files)
     })
@@ -34,6 +35,7 @@ fn site(keys: &Keys<'_>, files: &dyn Files) -> Site {
     let mqtt = mqtt(keys, &lines);
     let history = history(keys);
     let alarms = alarms(keys, &lines);
+    let panels = panels(keys, &lines, files);
     Site {
         http: Http {
             listen: http.value,
@@ -45,6 +47,7 @@ fn site(keys: &Keys<'_>, files: &dyn Files) -> Site {
         journal: journal(keys, history.as_ref()),
         history,
         alarms,
+        panels,
         users: users(keys),
     }
 }

@@ -3,15 +3,16 @@
 use crate::alarm::Alarm;
 use crate::broker::{Broker, Secret, Sparkplug};
 use crate::database::Server;
-use crate::points::{Kind, Place, Points};
+use crate::grant::Grant;
+use crate::panel::Panel;
+use crate::points::Points;
 use crate::users::User;
 use std::net::SocketAddr;
 use std::time::Duration;
-use unoclp_client::diagnostics::Kept;
 use unoclp_modbus::map::Parity;
 
 /// A site: boards at lines, and what is served of them.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Site {
     /// The page.
     pub http: Http,
@@ -27,6 +28,8 @@ pub struct Site {
     pub journal: Journal,
     /// The alarms, each with a name of its own.
     pub alarms: Vec<Alarm>,
+    /// The panels: those of files, then those that boards have without one.
+    pub panels: Vec<Panel>,
     /// Who may do what; nobody: tokens say so.
     pub users: Vec<User>,
 }
@@ -189,23 +192,6 @@ pub struct Modbus {
     pub listen: SocketAddr,
     /// What may be written; nothing else is.
     pub write: Vec<Grant>,
-}
-
-/// A point that may be written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Grant {
-    /// The unit of its board.
-    pub unit: u8,
-    /// Board and point, as the file names them.
-    pub name: String,
-    /// The name of the point, as its board has it.
-    pub point: String,
-    /// How the words of its value are made.
-    pub kind: Kind,
-    /// The addresses.
-    pub places: Vec<Place>,
-    /// It is so only while the board keeps this program; none: whichever it keeps.
-    pub while_kept: Option<Kept>,
 }
 
 impl Site {

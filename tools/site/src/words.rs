@@ -114,6 +114,24 @@ unoclp_words::messages! {
     no_text()
         "this alarm has no text; write `text = {{ en = \"too hot\", pt = \"quente demais\" }}`, or one text for both languages"
         "este alarme não tem texto; escreva `text = {{ en = \"too hot\", pt = \"quente demais\" }}`, ou um só texto para as duas línguas";
+    no_panel(file, why)
+        "{file} cannot be read ({why}); check its path, which is relative to the folder of the site file"
+        "não foi possível ler {file} ({why}); confira o caminho, relativo à pasta do arquivo de instalação";
+    no_text_file(file)
+        "{file} is not a text of at most 256 KB; save it in UTF-8, and leave pictures out of it"
+        "{file} não é um texto de até 256 KB; salve em UTF-8 e tire dele as imagens";
+    two_panels(name)
+        "two panels are called {name}; give each file its own name"
+        "dois painéis se chamam {name}; dê a cada arquivo um nome próprio";
+    not_recorded(board, point, known)
+        "{board} has no point {point} to show; there is {known}"
+        "{board} não tem o ponto {point} para mostrar; existe {known}";
+    no_range()
+        "`least` must be below `most`; without them they are 0 and 100"
+        "`least` deve ser menor que `most`; sem eles, valem 0 e 100";
+    long_label(most)
+        "this label is longer than {most} characters; write a shorter one"
+        "este rótulo tem mais de {most} caracteres; escreva um mais curto";
     two_users(name)
         "two users are called {name}; give each its own name"
         "dois usuários se chamam {name}; dê a cada um um nome próprio";
@@ -187,6 +205,9 @@ unoclp_words::messages! {
     severity_low() "low" "baixa";
     severity_medium() "medium" "média";
     severity_high() "high" "alta";
+    panel(name, count)
+        "panel {name}: {count} items"
+        "painel {name}: {count} itens";
     user_watch(name) "user {name}: watches" "usuário {name}: observa";
     user_operate(name)
         "user {name}: operates, and acknowledges alarms"

@@ -17,6 +17,13 @@ impl Files for Folder {
             "tank.st" => Ok(TANK.into()),
             "lamp.txt" => Ok("0\n787600\n827301\n877901\n".into()),
             "wrong.st" => Ok("PROGRAM p lamp := ; END_PROGRAM\n".into()),
+            "lamp.panel.toml" => Ok("[[item]]\nshow = \"lamp\"\npoint = \"x.Q1\"\n".into()),
+            "other.panel.toml" => Ok("[[item]]\nshow = \"lamp\"\npoint = \"x.M1\"\n".into()),
+            "turned.panel.toml" => {
+                Ok("[[item]]\nshow = \"bar\"\npoint = \"x.A0\"\nmost = -1.5\n".into())
+            }
+            "long.panel.toml" => Ok(format!("title = \"{}\"\n", "x".repeat(61)).into()),
+            "picture.png" => Ok(vec![0xFF; 8]),
             _ => Err("no such file".into()),
         }
     }
@@ -38,7 +45,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqqt]\n"),
             5,
-            "no key `mqqt` here; there is `http`, `line`, `modbus`, `mqtt`, `history`, `journal`, `alarm`, `user`",
+            "no key `mqqt` here; there is `http`, `line`, `modbus`, `mqtt`, `history`, `journal`, `alarm`, `panel`, `user`",
         ),
         (
             with("[mqtt]\n"),
@@ -378,6 +385,36 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             "`severity` cannot be fatal; give \"low\", \"medium\", \"high\"",
         ),
         (
+            with(&panel("gone.toml")),
+            6,
+            "gone.toml cannot be read (no such file); check its path",
+        ),
+        (
+            with(&panel("picture.png")),
+            6,
+            "picture.png is not a text of at most 256 KB",
+        ),
+        (
+            with(&(panel("lamp.panel.toml") + &panel("lamp.panel.toml"))),
+            8,
+            "two panels are called lamp",
+        ),
+        (
+            with(&panel("other.panel.toml")),
+            6,
+            "other.panel.toml:3: x has no point M1 to show; there is I1, I2",
+        ),
+        (
+            with(&panel("turned.panel.toml")),
+            6,
+            "turned.panel.toml:4: `least` must be below `most`",
+        ),
+        (
+            with(&panel("long.panel.toml")),
+            6,
+            "long.panel.toml:1: this label is longer than 60 characters",
+        ),
+        (
             with(&(user(KEY) + &user(KEY))),
             10,
             "two users are called u; give each its own name",
@@ -410,6 +447,11 @@ const KEY: &str = "$argon2id$v=19$m=19456,t=2,p=1$L3hEO3slRORTRquJ6rc2NQ$xsOcju+
 /// An alarm with this condition.
 fn alarm(when: &str) -> String {
     format!("[[alarm]]\nname = \"a\"\nwhen = \"{when}\"\ntext = \"it is so\"\n")
+}
+
+/// A panel in this file.
+fn panel(file: &str) -> String {
+    format!("[[panel]]\nfile = \"{file}\"\n")
 }
 
 /// A user with this key.
@@ -455,7 +497,7 @@ fn each_mistake_is_refused_with_line_reason_and_remedy() {
 }
 
 /// The kinds of [`Wrong`]: a new one has its case above.
-const KINDS: usize = 44;
+const KINDS: usize = 48;
 
 #[test]
 fn all_mistakes_are_told_at_once_in_the_order_of_the_lines() {

@@ -5,13 +5,25 @@ use std::path::Path;
 use unoclp_program::Lang;
 use unoclp_site::{Files, plan, read};
 
+/// The panel that the page shows, and its drawing.
+const PANEL: &str = include_str!("../../../docs/site/estufa.panel.toml");
+const DRAWING: &str = include_str!("../../../docs/site/estufa.svg");
+
 struct Folder;
 
 impl Files for Folder {
     fn bytes(&self, name: &str) -> Result<Vec<u8>, String> {
+        if name == "estufa.panel.toml" {
+            return Ok(PANEL.into());
+        }
+        if name == "estufa.svg" {
+            return Ok(DRAWING.into());
+        }
+        if name == "keys.panel.toml" {
+            return Ok("x = 1\n[[item]]\nx = 1\n[[bind]]\nx = 1\n".into());
+        }
         assert_eq!(name, "estufa.st");
-        let text = "PROGRAM p VAR fan AT %QX0.0 : BOOL; target : DINT; END_VAR fan := target > 5; END_PROGRAM\n";
-        Ok(text.into())
+        Ok(include_bytes!("../../../docs/site/estufa.st").into())
     }
 }
 
@@ -39,11 +51,17 @@ fn the_steps_of_the_page_make_one_site() {
     let told = plan(&site, Lang::En);
     assert!(told.contains("may write estufa.target, bomba.M1"), "{told}");
     assert_eq!((site.alarms.len(), site.users.len()), (2, 1));
+    let panel = &site.panels[0];
+    assert_eq!((&*panel.name, panel.items.len()), ("estufa", 4));
+    // What the panel moves is in its drawing.
+    for bind in &panel.binds {
+        assert!(DRAWING.contains(&format!("id=\"{}\"", bind.id)), "{bind:?}");
+    }
 }
 
 #[test]
 fn each_key_has_its_row() {
-    let known = "[other]\n[mqtt]\nx = 1\nsparkplug = { x = 1 }\n[[line]]\nx = 1\n[http]\nx = 1\ntls = { x = 1 }\n[modbus]\nx = 1\n[[line.board]]\nx = 1\n[history]\nx = 1\n[journal]\nx = 1\n[[alarm]]\nx = 1\ntext = { x = 1 }\n[[user]]\nx = 1\n";
+    let known = "[other]\n[mqtt]\nx = 1\nsparkplug = { x = 1 }\n[[line]]\nx = 1\n[http]\nx = 1\ntls = { x = 1 }\n[modbus]\nx = 1\n[[line.board]]\nx = 1\n[history]\nx = 1\n[journal]\nx = 1\n[[alarm]]\nx = 1\ntext = { x = 1 }\n[[user]]\nx = 1\n[[panel]]\nx = 1\nfile = \"keys.panel.toml\"\n";
     let told = read(known, &Folder).unwrap_err();
     let told: Vec<String> = told.iter().map(|wrong| wrong.reason(Lang::En)).collect();
     let keys: Vec<&str> = told

@@ -2,14 +2,13 @@
 
 import type { Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
-import { say, setSpeak, speak, told } from "../words/words";
+import { say, speak, told } from "../words/words";
 import { asked } from "./asked";
 import type { CardSlot } from "./cardslot";
 import type { ProgramDocument } from "./document";
 import { h } from "./dom";
 import { download, pick } from "./files";
 import { icon } from "./icons";
-import { keep, kept } from "./kept";
 import { type ListedMachine, listedMachines } from "./listed";
 import { entry, menu } from "./menu";
 import { note } from "./notes";
@@ -17,6 +16,8 @@ import { isLetter } from "./paper";
 import { others } from "./place";
 import { copyLink } from "./share";
 import type { ProgramView } from "./programview";
+import { theme } from "./theme";
+import { tongue } from "./tongue";
 
 const SVG = "image/svg+xml";
 /** Programs of before that the menu has. */
@@ -44,11 +45,6 @@ interface Example {
 export function toolbar(root: HTMLElement, parts: Parts): () => Promise<readonly ListedMachine[]> {
   const { program, open } = parts;
   let examples: readonly Example[] = [];
-  const tongue = h("select", { id: "speak", "data-say-label": "language" }, h("option", { value: "en", lang: "en" }, "English"), h("option", { value: "pt", lang: "pt-BR" }, "Português"));
-  tongue.addEventListener("change", () => setSpeak(tongue.value === "pt" ? "pt" : "en"));
-  speak.follow((language) => {
-    tongue.value = language;
-  });
   const machines = h("button", { type: "button", id: "machines", "aria-haspopup": "dialog", click: () => parts.showMachines() }, icon("machine"), h("span", { "data-say": "machines" }));
   const lessons = h("button", { type: "button", id: "lessons", click: () => parts.learn("lessons") }, icon("book"), h("span", { "data-say": "lessons" }));
   const exercises = h("button", { type: "button", id: "exercises", click: () => parts.learn("exercises") }, icon("tick"), h("span", { "data-say": "exercises" }));
@@ -56,7 +52,7 @@ export function toolbar(root: HTMLElement, parts: Parts): () => Promise<readonly
   root.append(
     menu("fileMenu", "folder", () => files(parts)),
     menu("examples", "examples", () => examples.map((one) => entry(one.name, () => open({ name: one.name, text: one.text }), told(one.about)))),
-    machines, lessons, exercises, share, theme(), tongue,
+    machines, lessons, exercises, share, theme(), tongue(),
   );
   document.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey)) return;
@@ -119,25 +115,4 @@ async function shareLink(program: ProgramDocument): Promise<void> {
   const text = program.text.value;
   if (program.lacks.value > 0) note(say("savedUnfinished"));
   await copyLink("p", [text.name, text.text]);
-}
-
-function theme(): HTMLElement {
-  const dark = matchMedia("(prefers-color-scheme: dark)");
-  const chosen = kept("theme");
-  const set = (is: boolean): void => {
-    document.documentElement.dataset["theme"] = is ? "dark" : "light";
-    document.documentElement.style.colorScheme = is ? "dark" : "light";
-  };
-  set(chosen ? chosen === "dark" : dark.matches);
-  dark.addEventListener("change", () => {
-    if (!kept("theme")) set(dark.matches);
-  });
-  return h("button", {
-    type: "button", id: "theme", "data-say-label": "theme",
-    click: () => {
-      const is = document.documentElement.dataset["theme"] !== "dark";
-      keep("theme", is ? "dark" : "light");
-      set(is);
-    },
-  }, icon("moon"));
 }

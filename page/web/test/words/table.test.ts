@@ -7,10 +7,11 @@ import { test } from "node:test";
 import { DRAW } from "../../src/words/drawtable";
 import { EDITOR } from "../../src/words/editortable";
 import { LEARN } from "../../src/words/learntable";
+import { SITE } from "../../src/words/sitetable";
 import { TABLE } from "../../src/words/table";
 
 /** That of the page, and those of its parts that are loaded later. */
-const ALL: Readonly<Record<string, readonly [string, string]>> = { ...TABLE, ...DRAW, ...LEARN };
+const ALL: Readonly<Record<string, readonly [string, string]>> = { ...TABLE, ...DRAW, ...LEARN, ...SITE };
 
 /** The files of a folder and of those in it. */
 const below = (folder: string): string[] => readdirSync(folder, { recursive: true }).map(String).filter((name) => /\.\w+$/.test(name)).map((name) => join(folder, name));
@@ -18,12 +19,12 @@ const below = (folder: string): string[] => readdirSync(folder, { recursive: tru
 // npm runs the tests in the folder of the lab, xtask above it.
 const lab = existsSync("src/page") ? "." : "page/web";
 /** Words that are the same in both languages. */
-const SAME: readonly string[] = ["commandRun", "commandStop", "viewLadder", "languageXml", "ok"];
+const SAME: readonly string[] = ["commandRun", "commandStop", "viewLadder", "languageXml", "ok", "alarmNormal"];
 
 const values = (text: string): string[] => [...text.matchAll(/\{(\w+)\}/g)].map((match) => match[1] ?? "").sort();
 
 test("no table takes the words of another", () => {
-  const keys = [TABLE, DRAW, LEARN].flatMap((table) => Object.keys(table));
+  const keys = [TABLE, DRAW, LEARN, SITE].flatMap((table) => Object.keys(table));
   assert.deepEqual(keys.filter((key, at) => keys.indexOf(key) !== at), []);
 });
 
@@ -43,8 +44,8 @@ test("the editor's own panels speak both languages", () => {
 });
 
 test("what the page names is there", () => {
-  const page = join(lab, "src/page");
-  const files = [join(lab, "static/index.html"), ...below(page)];
+  const folders = ["src/page", "src/site"].flatMap((folder) => below(join(lab, folder)));
+  const files = [join(lab, "static/index.html"), join(lab, "static/site.html"), ...folders];
   const named = files.flatMap((file) => [...readFileSync(file, "utf8").matchAll(/data-say(?:-label|-title)?"?[=:]\s*"(\w+)"/g)].map((match) => match[1] ?? ""));
   assert.ok(named.length > 30, String(named.length));
   for (const key of named) assert.ok(key in ALL, key);
@@ -60,8 +61,8 @@ test("the rates that the page offers are those of Rust", () => {
 });
 
 test("no text is without a use", () => {
-  const folders = ["src/page", "src/words", "static"].map((folder) => join(lab, folder));
-  const tables = ["src/words/table.ts", "src/words/drawtable.ts", "src/words/learntable.ts"].map((file) => join(lab, file));
+  const folders = ["src/page", "src/site", "src/words", "static"].map((folder) => join(lab, folder));
+  const tables = ["src/words/table.ts", "src/words/drawtable.ts", "src/words/learntable.ts", "src/words/sitetable.ts"].map((file) => join(lab, file));
   const all = folders.flatMap(below).filter((file) => !tables.includes(file)).map((file) => readFileSync(file, "utf8")).join("\n");
   const idle = Object.keys(ALL).filter((key) => !all.includes(`"${key}"`));
   assert.deepEqual(idle, []);

@@ -284,6 +284,9 @@ unoclp_words::messages! {
     not_served_site(address, error)
         "cannot listen at {address}: {error}. Set another address under `listen` in the site file"
         "não é possível usar o endereço {address}: {error}. Indique outro em `listen`, no arquivo de instalação";
+    overview_at(page)
+        "all boards: {page}site.html"
+        "todas as placas: {page}site.html";
     page_of_board(name)
         "board {name}: the same page with #board/{name} in place of #board"
         "placa {name}: a mesma página com #board/{name} em vez de #board";

@@ -24,6 +24,20 @@ pub(crate) struct BoardNow {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     pub why: Option<String>,
+    /// What it does: `RUN`, `STOP`, `FAULT`, as it was told last.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    pub doing: Option<&'static str>,
+    /// The number of its fault.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    pub fault: Option<u16>,
+    /// The line of the fault.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    pub line: Option<u32>,
+    /// Whether points of it are forced.
+    pub forced: bool,
     /// What its points were when they were last read; null where that is not known any more.
     pub points: BTreeMap<String, Option<f64>>,
 }
@@ -83,7 +97,7 @@ pub(crate) struct AlarmNow {
 }
 
 /// The same in both languages.
-#[derive(Debug, Serialize, ToSchema)]
+#[derive(Clone, Debug, Serialize, ToSchema)]
 pub(crate) struct Texts {
     /// In English.
     pub en: String,
@@ -123,6 +137,98 @@ pub(crate) struct DeedOf {
     pub detail: String,
 }
 
+/// Who asks, and what this one may do.
+#[derive(Debug, Serialize, ToSchema)]
+pub(crate) struct Asker {
+    /// A user; `$local` on this PC, `$watch` or `$control` with a token.
+    pub name: String,
+    /// `watch`, `operate`, `engineer`.
+    pub may: &'static str,
+}
+
+/// A point of a board by name.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub(crate) struct NameOf {
+    /// Its board.
+    pub board: String,
+    /// What it is called.
+    pub point: String,
+    /// It is 0 or 1.
+    pub bit: bool,
+    /// A board takes values for it.
+    pub writes: bool,
+}
+
+/// A panel.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub(crate) struct PanelOf {
+    /// What it is called.
+    pub name: String,
+    /// What stands above it.
+    pub title: Texts,
+    /// Columns of its grid.
+    pub columns: u8,
+    /// A drawing in SVG above the grid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    pub drawing: Option<String>,
+    /// What stands on the grid.
+    pub items: Vec<ItemOf>,
+    /// What moves in the drawing.
+    pub binds: Vec<BindOf>,
+    /// It is made of a board's names, and of no file.
+    pub made: bool,
+}
+
+/// Something on a panel.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub(crate) struct ItemOf {
+    /// `lamp`, `value`, `bar`, `trend`, `button`, `switch`, `set`.
+    pub show: &'static str,
+    /// The board.
+    pub board: String,
+    /// The point.
+    pub point: String,
+    /// What stands beside it.
+    pub label: Texts,
+    /// The unit of the value.
+    pub unit: String,
+    /// The least value.
+    pub least: f64,
+    /// The most.
+    pub most: f64,
+    /// Column and row, from 1; without it the next free place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    pub at: Option<[u8; 2]>,
+    /// How many columns and rows it takes.
+    pub size: [u8; 2],
+}
+
+/// What a point does to an element of a drawing.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub(crate) struct BindOf {
+    /// The `id` of the element.
+    pub id: String,
+    /// The board.
+    pub board: String,
+    /// The point.
+    pub point: String,
+    /// `show`, `light`, `text`, `level`, `turn`.
+    pub does: &'static str,
+    /// The value that is nothing.
+    pub least: f64,
+    /// The value that is all of it.
+    pub most: f64,
+}
+
+/// A value that a board has taken.
+#[derive(Debug, Serialize, ToSchema)]
+pub(crate) struct Taken {
+    /// The value.
+    pub value: f64,
+}
+
 /// How an alarm stands once it is acknowledged.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct Done {
@@ -134,6 +240,6 @@ pub(crate) struct Done {
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct Wrong {
     /// One of `no history`, `no point`, `no time`, `no number`, `no value`, `no alarm`, `no record`, `not allowed`,
-    /// `nothing to acknowledge`, `busy`, `failing`.
+    /// `nothing to acknowledge`, `not on a panel`, `controlled`, `other program`, `away`, `busy`, `failing`.
     pub why: &'static str,
 }

@@ -2,6 +2,7 @@
 
 use super::answers::{BoardNow, Health};
 use super::past::{Archive, No};
+use super::sheets::Sheets;
 use super::text::{JSON, guarded, text, wrong};
 
 use crate::doors::{self, Door};
@@ -43,6 +44,7 @@ pub(crate) struct Api {
     pub metrics: Option<Metrics>,
     pub archive: Archive,
     pub alarms: Option<Arc<Alarms>>,
+    pub sheets: Sheets,
 }
 
 /// The address that a request comes from.
@@ -197,9 +199,14 @@ fn token(headers: &HeaderMap) -> &str {
 
 fn board(gateway: &Gateway) -> BoardNow {
     let presence = gateway.line.presence().borrow().clone();
+    let doing = gateway.condition().filter(|_| presence.is_ok());
     BoardNow {
         name: gateway.name.clone(),
         up: presence.is_ok(),
+        doing: doing.map(|doing| doing.state.name()),
+        fault: doing.map(|doing| doing.fault).filter(|fault| *fault != 0),
+        line: doing.map(|doing| doing.line).filter(|line| *line != 0),
+        forced: doing.is_some_and(|doing| doing.is_forced),
         why: presence.err(),
         points: gateway.values().clone(),
     }

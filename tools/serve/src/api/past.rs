@@ -57,6 +57,10 @@ pub(crate) enum No {
     Record,
     Role,
     Acknowledged,
+    Panel,
+    Controlled,
+    Program,
+    Away,
     Busy,
     Failing,
 }
@@ -74,6 +78,10 @@ impl No {
             No::Record => "no record",
             No::Role => "not allowed",
             No::Acknowledged => "nothing to acknowledge",
+            No::Panel => "not on a panel",
+            No::Controlled => "controlled",
+            No::Program => "other program",
+            No::Away => "away",
             No::Busy => "busy",
             No::Failing => "failing",
         }

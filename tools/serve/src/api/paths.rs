@@ -2,7 +2,8 @@
 
 use super::alarms::{LONGEST, Span};
 use super::answers::{
-    AlarmNow, AlarmPast, BoardNow, DeedOf, Done, Health, PastOf, PastRow, PointOf, Texts, Wrong,
+    AlarmNow, AlarmPast, Asker, BindOf, BoardNow, DeedOf, Done, Health, ItemOf, NameOf, PanelOf,
+    PastOf, PastRow, PointOf, Taken, Texts, Wrong,
 };
 use super::gate::{Api, Caller, enter, json};
 use super::past::{Asked, No};
@@ -37,11 +38,16 @@ use utoipa::OpenApi;
         acknowledge,
         deeds,
         deeds_csv,
+        asker,
+        names,
+        panels,
+        write,
         metrics,
         description
     ),
     components(schemas(
-        Health, BoardNow, PointOf, PastOf, PastRow, AlarmNow, AlarmPast, DeedOf, Done, Texts, Wrong
+        Health, BoardNow, PointOf, PastOf, PastRow, AlarmNow, AlarmPast, DeedOf, Done, Texts,
+        Wrong, Asker, NameOf, PanelOf, ItemOf, BindOf, Taken
     ))
 )]
 struct Description;
@@ -61,6 +67,10 @@ pub(crate) fn routes(api: Api) -> Router {
         .route("/api/alarms/acknowledge", post(acknowledge))
         .route("/api/deeds", get(deeds))
         .route("/api/deeds.csv", get(deeds_csv))
+        .route("/api/who", get(asker))
+        .route("/api/names", get(names))
+        .route("/api/panels", get(panels))
+        .route("/api/write", post(write))
         .route("/api/openapi.json", get(description))
         .layer(DefaultBodyLimit::max(LONGEST))
         .route_layer(middleware::from_fn_with_state(api.clone(), enter))
@@ -255,6 +265,47 @@ async fn deeds_csv(
     match api.deeds(of(span)).await {
         Ok(rows) => csv_file("deeds", csv_of_deeds(&rows)),
         Err(no) => wrong(no),
+    }
+}
+
+#[utoipa::path(get, path = "/api/who", responses((status = 200, description = "Who asks, and what this one may do", body = Asker)))]
+async fn asker(Extension(who): Extension<Who>) -> Response<Body> {
+    json(Ok(Asker {
+        name: who.name.to_string(),
+        may: who.may.word(),
+    }))
+}
+
+#[utoipa::path(get, path = "/api/names", responses((status = 200, description = "The points of each board", body = Vec<NameOf>)))]
+async fn names(State(api): State<Api>) -> Response<Body> {
+    json(Ok(api.sheets.names()))
+}
+
+#[utoipa::path(get, path = "/api/panels", responses((status = 200, description = "The panels", body = Vec<PanelOf>)))]
+async fn panels(State(api): State<Api>) -> Response<Body> {
+    json(Ok(api.sheets.panels()))
+}
+
+#[utoipa::path(post, path = "/api/write",
+    request_body(content = String, content_type = "application/json", description = "{\"board\": NAME, \"point\": NAME, \"value\": NUMBER}"),
+    responses(
+    (status = 200, description = "The board has taken it", body = Taken),
+    (status = 400, description = "This is no value for this point", body = Wrong),
+    (status = 403, description = "This needs the role operate", body = Wrong),
+    (status = 404, description = "No panel lets this point be written", body = Wrong),
+    (status = 409, description = "Somebody controls the board, or it keeps another program", body = Wrong),
+    (status = 503, description = "The board is away", body = Wrong)))]
+async fn write(
+    State(api): State<Api>,
+    Extension(who): Extension<Who>,
+    from: Option<Extension<Caller>>,
+    body: Result<Bytes, BytesRejection>,
+) -> Response<Body> {
+    let from = from.map_or(Caller::nowhere(), |Extension(from)| from);
+    match body {
+        Ok(body) => json(api.write(who, from, &body).await),
+        // It is too long.
+        Err(_) => wrong(No::Value),
     }
 }
 

@@ -59,10 +59,10 @@ pub(super) fn wrong(no: No) -> Response<Body> {
     let mut response = Response::new(text.into());
     *response.status_mut() = match no {
         No::Time | No::Number | No::Value => StatusCode::BAD_REQUEST,
-        No::History | No::Point | No::Alarm | No::Record => StatusCode::NOT_FOUND,
+        No::History | No::Point | No::Alarm | No::Record | No::Panel => StatusCode::NOT_FOUND,
         No::Role => StatusCode::FORBIDDEN,
-        No::Acknowledged => StatusCode::CONFLICT,
-        No::Busy | No::Failing => StatusCode::SERVICE_UNAVAILABLE,
+        No::Acknowledged | No::Controlled | No::Program => StatusCode::CONFLICT,
+        No::Away | No::Busy | No::Failing => StatusCode::SERVICE_UNAVAILABLE,
     };
     let kind = HeaderValue::from_static(JSON);
     response.headers_mut().insert(CONTENT_TYPE, kind);

@@ -13,17 +13,22 @@ use unoclp_site::Files;
 struct Folder;
 
 impl Files for Folder {
-    fn bytes(&self, _: &str) -> Result<Vec<u8>, String> {
-        Err("no such file".into())
+    fn bytes(&self, name: &str) -> Result<Vec<u8>, String> {
+        assert_eq!(name, "room.panel.toml");
+        Ok(PANEL.into())
     }
 }
 
 const ALARMS: &str = "[[line]]\nport = \"a\"\n[[line.board]]\nname = \"one\"\n\
     [[alarm]]\nname = \"full\"\nwhen = \"one.A0 > 900\"\nseverity = \"high\"\n\
     text = { en = \"the tank is full\", pt = \"o tanque está cheio\" }\n\
-    [[alarm]]\nname = \"empty\"\nwhen = \"one.A0 < 5\"\ntext = \"empty\"\n";
+    [[alarm]]\nname = \"empty\"\nwhen = \"one.A0 < 5\"\ntext = \"empty\"\n\
+    [[panel]]\nfile = \"room.panel.toml\"\n";
+const PANEL: &str = "[[item]]\nshow = \"switch\"\npoint = \"one.Q1\"\n\
+    [[item]]\nshow = \"set\"\npoint = \"one.Q2\"\nmost = 0.5\n\
+    [[item]]\nshow = \"lamp\"\npoint = \"one.Q3\"\nat = [1, 2]\n";
 
-/// A site of two alarms, and the folder of its record.
+/// A site of two alarms and a panel, and the folder of its record.
 pub fn site(guard: Option<Guard>) -> (Site, TempDir) {
     let folder = tempfile::tempdir().unwrap();
     let record = Record::begin(&folder.path().join("site.record"), Box::new(|_| ()));
@@ -34,6 +39,7 @@ pub fn site(guard: Option<Guard>) -> (Site, TempDir) {
         guard,
         alarms: Some(Arc::new(alarms)),
         record: Some(record),
+        panels: read.panels,
     };
     (Site::with(Vec::new(), more), folder)
 }

@@ -113,6 +113,7 @@ pub fn serve(board: Option<Memory>, tokens: Option<Tokens>) -> SocketAddr {
         metrics: None,
         past: None,
         alarms: None,
+        panels: Vec::new(),
         record: None,
         keep: None,
         tell: None,

@@ -9,6 +9,7 @@ mod modbus;
 mod openapi;
 mod orders;
 mod pages;
+mod panels;
 mod past;
 mod poll;
 mod remote;

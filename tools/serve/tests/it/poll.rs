@@ -109,10 +109,10 @@ fn other_programs_read_boards_and_points() {
     );
     assert_eq!(body, r#"{"boards":2,"up":2}"#);
     let (_, body) = get("/api/boards");
-    let one = r#"{"name":"one","up":true,"points":{"count":0.0,"level":0.0,"start":0.0}}"#;
+    let one = r#"{"name":"one","up":true,"doing":"RUN","forced":false,"points":{"count":0.0,"level":0.0,"start":0.0}}"#;
     assert_eq!(
         body,
-        format!(r#"[{one},{{"name":"two","up":true,"points":{{}}}}]"#)
+        format!(r#"[{one},{{"name":"two","up":true,"forced":false,"points":{{}}}}]"#)
     );
     site.boards.board(3).inputs = 2;
     assert_eq!(next(&changes, "start"), Some(1.0));
@@ -135,7 +135,7 @@ fn other_programs_read_boards_and_points() {
     let (_, body) = get("/api/boards");
     assert!(
         body.contains(
-            r#""up":false,"why":"unplugged","points":{"count":null,"level":null,"start":null}"#
+            r#""up":false,"why":"unplugged","forced":false,"points":{"count":null,"level":null,"start":null}"#
         ),
         "{body}"
     );

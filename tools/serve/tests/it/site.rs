@@ -17,7 +17,7 @@ use unoclp_serve::{
     Guard, Keep, Line, Metric, Metrics, Modbus, Orders, Past, Server, SharedBoard, Sharing, Tell,
     Watched,
 };
-use unoclp_site::{Grant, Kind, Place};
+use unoclp_site::{Grant, Kind, Panel, Place};
 
 /// A gateway of two boards at one line, whose addresses are 3 and 4, and whose units are 1 and 2.
 pub struct Site {
@@ -36,6 +36,7 @@ pub struct More {
     pub guard: Option<Guard>,
     pub alarms: Option<Arc<Alarms>>,
     pub record: Option<Arc<Record>>,
+    pub panels: Vec<Panel>,
 }
 
 pub const LISTEN: &str = "127.0.0.1:0";
@@ -76,6 +77,7 @@ impl Site {
             guard,
             alarms,
             record,
+            panels,
         } = more;
         let (watched, keep) = keep.unzip();
         let (orders, ordered) = Orders::new();
@@ -98,6 +100,7 @@ impl Site {
             metrics: Some(numbers()),
             past: Some(Arc::new(Seconds)),
             alarms: alarms.clone(),
+            panels,
             record: record.clone(),
             keep,
             tell,

@@ -10,7 +10,7 @@ use unoclp_serve::{Guard, Users};
 use unoclp_site::{Role, Secret, User};
 
 /// Ana, Eva and Rui, who may do more one after the other, and their tokens.
-fn users() -> (Guard, [String; 3]) {
+pub fn users() -> (Guard, [String; 3]) {
     let made = ["ana", "eva", "rui"].map(|name| (name, unoclp_key::make(name).unwrap()));
     let users = made.iter().zip(Role::ALL).map(|((name, made), role)| User {
         name: (*name).into(),

@@ -1,0 +1,27 @@
+// Light or dark, as the person wants it; until then as the computer has it.
+
+import { h } from "./dom";
+import { icon } from "./icons";
+import { keep, kept } from "./kept";
+
+/** The button that changes it. */
+export function theme(): HTMLElement {
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const chosen = kept("theme");
+  const set = (is: boolean): void => {
+    document.documentElement.dataset["theme"] = is ? "dark" : "light";
+    document.documentElement.style.colorScheme = is ? "dark" : "light";
+  };
+  set(chosen ? chosen === "dark" : dark.matches);
+  dark.addEventListener("change", () => {
+    if (!kept("theme")) set(dark.matches);
+  });
+  return h("button", {
+    type: "button", id: "theme", "data-say-label": "theme",
+    click: () => {
+      const is = document.documentElement.dataset["theme"] !== "dark";
+      keep("theme", is ? "dark" : "light");
+      set(is);
+    },
+  }, icon("moon"));
+}
