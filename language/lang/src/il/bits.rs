@@ -1,9 +1,10 @@
 //! What works on the accumulator: loads and operations with an operand.
 
 use super::said::{ACCUMULATOR, OPERAND, constant};
-use super::walk::{Acc, Walk};
+use super::walk::Walk;
 use crate::ast::Instr;
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Machine};
 use crate::operators::Op;
 use crate::typed::{Base, Binary, Expr};
 use crate::words::operator;
@@ -27,14 +28,14 @@ pub(super) fn name(op: Op) -> &'static str {
 
 impl Walk<'_, '_, '_> {
     pub(super) fn load(&mut self, instr: &Instr) {
-        self.decided = None;
+        self.run.decided = None;
         self.warn_unused();
-        self.unused = Some(instr.whole);
+        self.run.unused = Some(instr.whole);
         let inverted = std::mem::take(&mut self.inverts) != instr.negated;
-        self.links = 0;
+        self.run.links = 0;
         let Some(operand) = instr.operands.first() else {
             self.missing("LD", instr.span);
-            self.acc = Acc::Wrong;
+            self.run.acc = Acc::Wrong;
             return;
         };
         self.only(instr, 1);
@@ -43,12 +44,12 @@ impl Walk<'_, '_, '_> {
             expr = expr.map(|expr| self.inverted(expr, operand.span));
         }
         if instr.edge.is_some() {
-            let unused = self.unused;
+            let unused = self.run.unused;
             expr = expr.and_then(|expr| {
                 let bit = self.as_bit(expr, ACCUMULATOR, instr.span)?;
                 self.edge_of(bit, instr)
             });
-            self.unused = unused;
+            self.run.unused = unused;
         }
         self.hold(expr);
     }
@@ -66,9 +67,9 @@ impl Walk<'_, '_, '_> {
     }
 
     pub(super) fn not(&mut self, instr: &Instr) {
-        if let Some(state) = self.decided {
-            self.unused = None;
-            self.decided = Some(!state);
+        if let Some(state) = self.run.decided {
+            self.run.unused = None;
+            self.run.decided = Some(!state);
             return;
         }
         let expr = self.take("NOT", instr.span);
@@ -176,7 +177,7 @@ impl Walk<'_, '_, '_> {
             return;
         };
         let changed = self.edge_of(bit, instr);
-        self.links = 0;
+        self.run.links = 0;
         self.hold(changed);
     }
 

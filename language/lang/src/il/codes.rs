@@ -1,21 +1,21 @@
 //! CODE: an instruction of the board by its numeric codes, with its operand lines.
 
-use super::accumulator::Changes;
-use super::walk::{Acc, Walk};
+use super::walk::Walk;
 use crate::ast::{Instr, Stmt};
 use crate::code::begins;
 use crate::diagnostics::Code;
+use crate::list::{Acc, Accumulator, Changes, Machine};
 use crate::operators::Op;
-use crate::typed::{Base, Codes, Stmt as Made, StmtKind};
+use crate::typed::{Base, Codes, Stmt as Made, StmtKind, TypeId};
 use unoclp_core::isa::{Kind, Row, TABLE};
 
 impl Walk<'_, '_, '_> {
     pub(super) fn code(&mut self, instr: &Instr) {
         let span = instr.whole;
         self.undecided();
-        self.unused = None;
+        self.run.unused = None;
         self.front.writes = true;
-        let before = match std::mem::replace(&mut self.acc, Acc::Empty) {
+        let before = match std::mem::replace(&mut self.run.acc, Acc::Empty) {
             Acc::Value(expr) if expr.base == Base::Bool => Some(expr),
             _ => None,
         };
@@ -42,7 +42,7 @@ impl Walk<'_, '_, '_> {
         let goes_on = matches!(self.next(), Some(Stmt::Instr(next)) if next.op == Op::Code);
         let mut target = None;
         if !goes_on && self.needed() && !begins(first) {
-            target = self.own(Base::Bool, span);
+            target = self.own(TypeId::BOOL, span);
         }
         let behind = target.as_ref().map(|target| target.place.clone());
         let codes = Codes {
@@ -52,13 +52,13 @@ impl Walk<'_, '_, '_> {
         };
         let kind = StmtKind::Codes(Box::new(codes));
         self.push(Made { kind, at: span });
-        self.links = 0;
+        self.run.links = 0;
         let held = match target {
             Some(target) => Some(self.read(target, span)),
             None if begins(first) => Some(self.truth(true, span)),
             None => None,
         };
-        self.acc = held.map_or(Acc::Empty, Acc::Value);
+        self.run.acc = held.map_or(Acc::Empty, Acc::Value);
     }
 }
 

@@ -6,9 +6,10 @@ use super::operands::Is;
 use super::said::ACCUMULATOR;
 use super::stack::more_inputs;
 use super::timers::Preset;
-use super::walk::{Acc, Walk};
+use super::walk::Walk;
 use crate::ast::{Instr, Operand, Param};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Machine};
 use crate::names::Place;
 use crate::operators::Op;
 use crate::typed::build::Target;
@@ -106,7 +107,7 @@ impl Walk<'_, '_, '_> {
                 let q = if down { "QD" } else { "QU" };
                 self.load_part(target, block, q, span);
             }
-            false => self.acc = Acc::Empty,
+            false => self.run.acc = Acc::Empty,
         }
     }
 
@@ -191,7 +192,7 @@ impl Walk<'_, '_, '_> {
             all.push(given("PV", preset));
         }
         self.run_block(target, all, span);
-        self.links = 0;
+        self.run.links = 0;
     }
 
     /// `CAL C1 (CU:=%IX1, R:=%IX2, PV:=20, Q=>%QX1)`

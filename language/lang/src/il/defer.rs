@@ -1,27 +1,24 @@
 //! Operations that are deferred: from `(` to `)`.
 
 use super::bits::name;
-use super::walk::{Acc, Frame, Waiting, Walk, loads};
+use super::walk::{Walk, loads};
 use crate::ast::{Instr, Open};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Frame, MOST_FRAMES, Machine, Waiting};
 use crate::typed::ExprKind;
-use unoclp_core::isa::DEEPEST;
-
-/// The deepest nesting of deferred operations.
-pub(super) const MOST_FRAMES: usize = DEEPEST as usize;
 
 impl Walk<'_, '_, '_> {
     /// `AND(`: the accumulator and the operation wait on the stack.
     pub(super) fn defer(&mut self, instr: &Instr, open: Open) {
-        if self.lost > 0 || self.frames.len() >= MOST_FRAMES {
+        if self.lost > 0 || self.run.frames.len() >= MOST_FRAMES {
             return self.lose(instr, open);
         }
         let mut left = self.take(name(instr.op), instr.span);
         self.only(instr, 1);
-        let links = self.links;
+        let links = self.run.links;
         let mut inner = match instr.operands.first() {
             Some(operand) => {
-                self.unused = Some(instr.whole);
+                self.run.unused = Some(instr.whole);
                 self.value(operand).map_or(Acc::Wrong, Acc::Value)
             }
             // Its load follows, and N inverts that.
@@ -48,14 +45,14 @@ impl Walk<'_, '_, '_> {
         {
             inner = Acc::Value(self.inverted(expr, open.span));
         }
-        self.frames.push(Frame {
+        self.run.frames.push(Frame {
             acc: left.map_or(Acc::Wrong, Acc::Value),
             waiting: Waiting::Deferred(instr.op, instr.negated),
             span: open.span,
             links,
         });
-        self.acc = inner;
-        self.links = 0;
+        self.run.acc = inner;
+        self.run.links = 0;
     }
 
     /// A parenthesis too many is told once; what stands in it comes to nothing.
@@ -64,7 +61,7 @@ impl Walk<'_, '_, '_> {
             self.tell(Code::TooDeep, open.span, []);
         }
         self.take(name(instr.op), instr.span);
-        self.acc = Acc::Wrong;
+        self.run.acc = Acc::Wrong;
         self.lost += 1;
     }
 
@@ -72,13 +69,13 @@ impl Walk<'_, '_, '_> {
     pub(super) fn close(&mut self, span: Span) {
         if self.lost > 0 {
             self.lost -= 1;
-            self.unused = None;
-            self.acc = Acc::Wrong;
+            self.run.unused = None;
+            self.run.acc = Acc::Wrong;
             return;
         }
         // Results that an LD has pushed within the parentheses are lost.
         while self.popped().is_some() {}
-        let Some(frame) = self.frames.pop() else {
+        let Some(frame) = self.run.frames.pop() else {
             return self.tell(Code::CloseWithoutOpen, span, []);
         };
         let Waiting::Deferred(op, negated) = frame.waiting else {
@@ -91,7 +88,7 @@ impl Walk<'_, '_, '_> {
             _ => None,
         };
         self.hold(made);
-        self.links += frame.links;
+        self.run.links += frame.links;
         self.link();
     }
 }

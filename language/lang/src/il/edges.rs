@@ -4,6 +4,7 @@ use super::used::edge_name;
 use super::walk::Walk;
 use crate::ast::{Instr, UnitKind};
 use crate::diagnostics::Code;
+use crate::list::{Accumulator, Machine};
 use crate::typed::build::{Argument, Given};
 use crate::typed::{Expr, Standard};
 use unoclp_core::isa::Opcode;

@@ -4,6 +4,7 @@ use super::edges::given;
 use super::walk::Walk;
 use crate::ast::{Operand, Param};
 use crate::diagnostics::{Code, Span};
+use crate::list::Machine;
 use crate::typed::Standard;
 use crate::typed::build::Target;
 

@@ -2,12 +2,13 @@
 
 use super::front::Front;
 use super::stack::pushes;
-use super::walk::{Acc, Waiting, Walk};
+use super::walk::Walk;
 use crate::ast::{Instr, Stmt};
 use crate::diagnostics::Code;
-use crate::jumps::Labels;
+use crate::list::{Acc, Accumulator, Branches, Flow, Jump, Machine, Run, Waiting, needed};
 use crate::operators::Op;
 use crate::typed::Stmt as Made;
+use std::collections::HashSet;
 use unoclp_core::isa::Opcode;
 
 impl<'a> Front<'a, '_> {
@@ -22,39 +23,25 @@ impl<'a> Front<'a, '_> {
             unit,
             instance: self.instances[unit],
             body,
-            needs: Vec::new(),
+            run: Run::new(),
             pushed,
-            acc: Acc::Empty,
-            links: 0,
-            frames: Vec::new(),
             lost: 0,
-            kept: Vec::new(),
-            pushed_numbers: Vec::new(),
             block: None,
             inverts: false,
-            unused: None,
-            unreachable: false,
-            at: 0,
-            decided: None,
-            told_open: None,
-            labels: Labels::default(),
             jumps: false,
-            ifs: Vec::new(),
-            made: vec![Vec::new()],
-            own: 0,
             front: self,
         };
-        walk.find_labels();
-        walk.find_needs();
+        walk.labels_of_body();
+        walk.run.needs = needed(walk.passes());
         for (at, stmt) in body.iter().enumerate() {
-            walk.at = at;
+            walk.run.at = at;
             match stmt {
-                Stmt::Label(word) => walk.label(word, at),
+                Stmt::Label(word) => walk.label(&word.text, word.span),
                 Stmt::Close(span) => walk.close(*span),
                 Stmt::Wrong { open } => {
-                    walk.unused = None;
-                    walk.unreachable = false;
-                    walk.acc = Acc::Wrong;
+                    walk.run.unused = None;
+                    walk.run.unreachable = false;
+                    walk.run.acc = Acc::Wrong;
                     walk.lost += open;
                 }
                 Stmt::Instr(instr) => {
@@ -79,7 +66,7 @@ impl<'a> Walk<'_, 'a, '_> {
     fn reachable(&mut self, instr: &Instr) {
         // What begins a part or stands after it is reached in another way.
         let part = matches!(instr.op, Op::Part(Opcode::Else | Opcode::EndIf));
-        if std::mem::take(&mut self.unreachable) && !part {
+        if std::mem::take(&mut self.run.unreachable) && !part {
             self.tell(Code::Unreachable, instr.whole, []);
         }
     }
@@ -91,17 +78,17 @@ impl<'a> Walk<'_, 'a, '_> {
             Op::OmronTimer => self.omron_timer(instr),
             Op::OmronCounter => self.omron_counter(instr),
             Op::Keep => self.keep_result(instr.whole),
-            Op::Recall | Op::Release => self.recall_result(instr),
+            Op::Recall | Op::Release => self.recall_result(instr.op, instr.span, instr.whole),
             Op::Differentiate(_) => self.differentiate(instr),
             Op::Set | Op::Reset => self.set_or_reset(instr),
             Op::Not => self.not(instr),
             Op::And | Op::Or | Op::Xor | Op::Number(_) | Op::Compare(_) => self.operate(instr),
             Op::Shift(opcode) => self.shift(instr, opcode),
             Op::Unary(opcode) => self.unary(instr, opcode),
-            Op::Part(opcode) => self.part(instr, opcode),
+            Op::Part(opcode) => self.part(instr.span, opcode),
             Op::Edge(opcode) => self.edge(instr, opcode),
-            Op::Jump => self.jump(instr),
-            Op::Return => self.ret(instr),
+            Op::Jump => self.jump_line(instr),
+            Op::Return => self.ret_line(instr),
             Op::End => self.end(instr),
             Op::Call => self.call(instr),
             Op::Function => self.function(instr),
@@ -122,8 +109,8 @@ impl<'a> Walk<'_, 'a, '_> {
 
     fn finish(mut self) -> Vec<Made> {
         self.warn_unused();
-        for frame in std::mem::take(&mut self.frames) {
-            let told = self.told_open == Some(frame.span);
+        for frame in std::mem::take(&mut self.run.frames) {
+            let told = self.run.told_open == Some(frame.span);
             if matches!(frame.waiting, Waiting::Deferred(..)) && !told {
                 self.tell(Code::LeftOpen, frame.span, []);
             }
@@ -132,7 +119,57 @@ impl<'a> Walk<'_, 'a, '_> {
         self.end_of_branches();
         self.end_of_pushed();
         self.end_of_ifs();
-        self.labels.settle(&mut self.made);
-        self.made.swap_remove(0)
+        self.statements()
+    }
+
+    /// The labels, and those that a jump leads to.
+    fn labels_of_body(&mut self) {
+        let mut wanted = HashSet::new();
+        for stmt in self.body {
+            if let Stmt::Instr(instr) = stmt
+                && instr.op == Op::Jump
+                && let Some(name) = instr.operands.first().and_then(|operand| operand.name())
+            {
+                wanted.insert(name);
+            }
+        }
+        self.jumps = !wanted.is_empty();
+        let labels = self.body.iter().enumerate();
+        let labels = labels.filter_map(|(at, stmt)| match stmt {
+            Stmt::Label(word) => Some((at, word.text.clone(), word.span)),
+            _ => None,
+        });
+        self.find_labels(labels, &wanted);
+    }
+
+    fn jump_of(instr: &Instr) -> Jump {
+        Jump {
+            conditional: instr.conditional,
+            negated: instr.negated,
+            span: instr.span,
+            whole: instr.whole,
+        }
+    }
+
+    fn jump_line(&mut self, instr: &Instr) {
+        self.only(instr, 1);
+        let label = instr.operands.first();
+        let label = label.map(|label| (label.name().unwrap_or_default(), label.span));
+        self.jump(Self::jump_of(instr), label);
+    }
+
+    fn ret_line(&mut self, instr: &Instr) {
+        self.only(instr, 0);
+        self.ret(Self::jump_of(instr));
+    }
+
+    /// END, which needs no code where nothing follows.
+    fn end(&mut self, instr: &Instr) {
+        self.warn_unused();
+        self.not_deferred("END", instr.span);
+        match self.next() {
+            Some(_) => self.ret_line(instr),
+            None => self.only(instr, 0),
+        }
     }
 }

@@ -1,14 +1,14 @@
 //! What the makers write in their own ways: `OUT T0 K50`, `TIM 000 #0050`, PLS. The accumulator stays what it was where
 //! the norm's would become the result.
 
-use super::accumulator::Changes;
 use super::counters::Inputs;
 use super::operands::Is;
 use super::said::ACCUMULATOR;
 use super::timers::Preset;
-use super::walk::{Acc, Walk};
+use super::walk::Walk;
 use crate::ast::{Instr, Operand};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Changes, Machine};
 use crate::typed::{Expr, ExprKind};
 use unoclp_core::isa::Opcode;
 
@@ -70,7 +70,7 @@ impl Walk<'_, '_, '_> {
             _ => None,
         };
         let preset = self.preset(preset, 1);
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
         let Some((target, _)) = self.counter_place(counter) else {
             return;
         };
@@ -110,7 +110,7 @@ impl Walk<'_, '_, '_> {
             Is::Wrong => {}
             _ => self.not_callable(block),
         }
-        self.links = 0;
+        self.run.links = 0;
         self.hold(Some(bit));
     }
 
@@ -138,7 +138,7 @@ impl Walk<'_, '_, '_> {
         if let Some(changed) = self.edge_of(bit.clone(), instr) {
             self.store_value(changed, operand, false);
         }
-        self.links = 0;
+        self.run.links = 0;
         self.hold(Some(bit));
     }
 }

@@ -2,28 +2,25 @@
 
 use super::walk::Walk;
 use crate::ast::{Instr, Stmt};
-use crate::jumps::{Passes, needed};
+use crate::list::Passes;
 use crate::operators::Op;
 use unoclp_core::isa::Opcode;
 
 impl Walk<'_, '_, '_> {
-    /// Finds the lines that need what the one before leaves.
-    pub(super) fn find_needs(&mut self) {
-        let lines = self.body.iter().enumerate();
-        self.needs = needed(lines.map(|(at, stmt)| self.passes(stmt, at)));
-    }
-
-    fn passes(&self, stmt: &Stmt, at: usize) -> Passes {
-        let (goes_on, jumps) = match stmt {
-            Stmt::Instr(instr) => self.leads(instr),
-            _ => (true, None),
-        };
-        Passes {
-            reads: self.reads(stmt, at),
-            fills: fills(stmt),
-            goes_on,
-            jumps,
-        }
+    /// What each line does with the accumulator, and where it leads.
+    pub(super) fn passes(&self) -> impl ExactSizeIterator<Item = Passes> {
+        self.body.iter().enumerate().map(|(at, stmt)| {
+            let (goes_on, jumps) = match stmt {
+                Stmt::Instr(instr) => self.leads(instr),
+                _ => (true, None),
+            };
+            Passes {
+                reads: self.reads(stmt, at),
+                fills: fills(stmt),
+                goes_on,
+                jumps,
+            }
+        })
     }
 
     /// Whether a line begins with what the accumulator holds.
@@ -46,7 +43,7 @@ impl Walk<'_, '_, '_> {
     /// Whether the next line comes after this, and the line of the label that it may go to.
     fn leads(&self, instr: &Instr) -> (bool, Option<usize>) {
         let name = instr.operands.first().and_then(|operand| operand.name());
-        let label = name.and_then(|name| self.labels.lines.get(name).copied());
+        let label = name.and_then(|name| self.run.labels.lines.get(name).copied());
         match instr.op {
             Op::Jump => (instr.conditional, label),
             Op::Return => (instr.conditional, None),

@@ -6,6 +6,7 @@ use super::said::ACCUMULATOR;
 use super::walk::Walk;
 use crate::ast::{Instr, Operand, Stmt};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Changes, Machine};
 use crate::names::Place;
 use crate::operators::Op;
 use crate::points;
@@ -21,23 +22,23 @@ impl Walk<'_, '_, '_> {
         let expr = self.take("PUSH", instr.span);
         let number = expr.and_then(|expr| self.as_number(expr, ACCUMULATOR, instr.span));
         let Some(number) = number else { return };
-        if self.pushed_numbers.len() >= usize::from(DEEPEST) {
+        if self.run.pushed.len() >= usize::from(DEEPEST) {
             return self.refused(Cause::PushedTooDeep, instr.whole);
         }
         self.hold(Some(number));
         if self.needed() {
             self.settle_costly();
         }
-        if let super::walk::Acc::Value(held) = self.acc.clone() {
-            self.pushed_numbers.push((held, instr.whole));
+        if let Acc::Value(held) = self.run.acc.clone() {
+            self.run.pushed.push((held, instr.whole));
         }
         // Nothing needs to be done with it but to take it again.
-        self.unused = None;
+        self.run.unused = None;
     }
 
     /// The number that was pushed last; told where there is none.
     pub(super) fn popped_number(&mut self, span: Span) -> Option<Expr> {
-        let popped = self.pushed_numbers.pop();
+        let popped = self.run.pushed.pop();
         if popped.is_none() {
             self.refused(Cause::NothingPushed, span);
         }
@@ -46,7 +47,7 @@ impl Walk<'_, '_, '_> {
 
     /// What is left pushed where the body ends.
     pub(super) fn end_of_pushed(&mut self) {
-        if let Some((_, span)) = self.pushed_numbers.pop() {
+        if let Some((_, span)) = self.run.pushed.pop() {
             self.refused(Cause::ValueLeftPushed, span);
         }
     }
@@ -78,7 +79,7 @@ impl Walk<'_, '_, '_> {
                 at: span,
             });
             self.hold(expr);
-            self.links = 0;
+            self.run.links = 0;
             return self.link();
         }
         let Some(subscript) = self.popped_number(span) else {
@@ -88,12 +89,11 @@ impl Walk<'_, '_, '_> {
         if self.needed() {
             self.settle_costly();
         }
-        let super::walk::Acc::Value(number) = self.acc.clone() else {
+        let Acc::Value(number) = self.run.acc.clone() else {
             return;
         };
         if let Some(place) = self.front.builder.in_table(table, subscript, span) {
-            let cells = u32::from(table.1);
-            self.before(&super::accumulator::Changes::Cells(&place, cells), true);
+            self.before(&Changes::Cells(&place, 1), true);
             let kind = StmtKind::Assign(place, number, Store::Narrow(Base::Dint));
             self.push(Made { kind, at: span });
         }

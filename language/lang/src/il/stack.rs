@@ -1,9 +1,10 @@
 //! LD as the S7-200 has it: it pushes the result before it, for ALD, OLD and counters to pop.
 
-use super::walk::{Acc, Frame, Waiting, Walk};
+use super::walk::Walk;
 use crate::Dialect;
 use crate::ast::{Instr, Stmt};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Frame, Machine, Waiting};
 use crate::operators::Op;
 use std::collections::HashSet;
 
@@ -53,27 +54,27 @@ impl Walk<'_, '_, '_> {
     /// An LD whose result before it is still needed.
     pub(super) fn push_result(&mut self, span: Span) {
         self.undecided();
-        self.unused = None;
-        let acc = std::mem::replace(&mut self.acc, Acc::Empty);
+        self.run.unused = None;
+        let acc = std::mem::replace(&mut self.run.acc, Acc::Empty);
         if matches!(acc, Acc::Empty) {
             return;
         }
-        self.frames.push(Frame {
+        self.run.frames.push(Frame {
             acc,
             waiting: Waiting::Pushed,
             span,
-            links: self.links,
+            links: self.run.links,
         });
     }
 
     /// The result that was pushed last.
     pub(super) fn popped(&mut self) -> Option<Acc> {
-        match self.frames.last() {
+        match self.run.frames.last() {
             Some(Frame {
                 waiting: Waiting::Pushed,
                 ..
-            }) => self.frames.pop().map(|frame| {
-                self.links += frame.links;
+            }) => self.run.frames.pop().map(|frame| {
+                self.run.links += frame.links;
                 frame.acc
             }),
             _ => None,

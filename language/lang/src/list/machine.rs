@@ -1,0 +1,33 @@
+//! What the machine asks of the reader of a text.
+
+use super::{Changes, Run};
+use crate::diagnostics::{Code, Span, Word};
+use crate::typed::build::{Builder, Target};
+use crate::typed::{Expr, Stmt};
+
+/// A reader of Instruction List: whose operands and operators they are.
+pub(crate) trait Machine<'t, 'f>: Sized {
+    fn run(&self) -> &Run;
+
+    fn run_mut(&mut self) -> &mut Run;
+
+    fn builder(&mut self) -> &mut Builder<'t, 'f>;
+
+    /// The builder, of which something is asked.
+    fn built(&self) -> &Builder<'t, 'f>;
+
+    /// Tells what is wrong.
+    fn tell<const N: usize>(&mut self, code: Code, at: Span, words: [Word; N]);
+
+    /// A value as a condition; what cannot be one is told.
+    fn tested(&mut self, expr: Expr, at: Span) -> Option<Expr>;
+
+    /// A value as it is left for a label, where another way to it may have left one already; one that does not fit is told.
+    fn carries(&mut self, expr: Expr, to: Option<&Target>, at: Span) -> Option<Expr>;
+
+    /// The statement that stores a value; one that does not fit is told.
+    fn assigned(&mut self, target: &Target, value: Expr, at: Span) -> Option<Stmt>;
+
+    /// Before something changes: puts aside what the reader itself holds.
+    fn before_own(&mut self, _changes: &Changes) {}
+}
