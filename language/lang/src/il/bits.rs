@@ -4,7 +4,7 @@ use super::said::{ACCUMULATOR, OPERAND, constant};
 use super::walk::Walk;
 use crate::ast::Instr;
 use crate::diagnostics::{Code, Span};
-use crate::list::{Acc, Accumulator, Machine};
+use crate::list::{Acc, Accumulator, Edges, Machine, Stack};
 use crate::operators::Op;
 use crate::typed::{Base, Binary, Expr};
 use crate::words::operator;
@@ -31,7 +31,7 @@ impl Walk<'_, '_, '_> {
         self.run.decided = None;
         self.warn_unused();
         self.run.unused = Some(instr.whole);
-        let inverted = std::mem::take(&mut self.inverts) != instr.negated;
+        let inverted = std::mem::take(&mut self.run.inverts) != instr.negated;
         self.run.links = 0;
         let Some(operand) = instr.operands.first() else {
             self.missing("LD", instr.span);
@@ -47,7 +47,7 @@ impl Walk<'_, '_, '_> {
             let unused = self.run.unused;
             expr = expr.and_then(|expr| {
                 let bit = self.as_bit(expr, ACCUMULATOR, instr.span)?;
-                self.edge_of(bit, instr)
+                self.edge_of(bit, instr.span)
             });
             self.run.unused = unused;
         }
@@ -55,7 +55,7 @@ impl Walk<'_, '_, '_> {
     }
 
     /// The opposite: of a number, each bit's.
-    pub(super) fn inverted(&mut self, expr: Expr, span: Span) -> Expr {
+    pub(super) fn opposite(&mut self, expr: Expr, span: Span) -> Expr {
         if expr.base == Base::Bool {
             return self.front.builder.not(expr, span);
         }
@@ -80,7 +80,7 @@ impl Walk<'_, '_, '_> {
     /// AND, OR, XOR, arithmetic and comparisons, at once or deferred.
     pub(super) fn operate(&mut self, instr: &Instr) {
         if let Some(open) = instr.open {
-            return self.defer(instr, open);
+            return self.open(instr, open);
         }
         let mut left = self.take(name(instr.op), instr.span);
         let Some(operand) = instr.operands.first() else {
@@ -99,7 +99,7 @@ impl Walk<'_, '_, '_> {
         if instr.edge.is_some() {
             let bit = self.value(operand);
             let bit = bit.and_then(|bit| self.as_bit(bit, ACCUMULATOR, instr.span));
-            let bit = bit.and_then(|bit| self.edge_of(bit, instr));
+            let bit = bit.and_then(|bit| self.edge_of(bit, instr.span));
             let made = self.both(left, bit, instr.op, false, instr.whole);
             return self.linked(made);
         }
@@ -176,7 +176,7 @@ impl Walk<'_, '_, '_> {
         let Some(bit) = self.take_bit(operator(opcode), instr.span) else {
             return;
         };
-        let changed = self.edge_of(bit, instr);
+        let changed = self.edge_of(bit, instr.span);
         self.run.links = 0;
         self.hold(changed);
     }

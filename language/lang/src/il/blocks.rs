@@ -1,7 +1,6 @@
 //! The Twido's blocks, `BLK %TM1 … OUT_BLK … END_BLK`, and inputs by operator: `CU C1`.
 
 use super::counters::Inputs;
-use super::edges::given;
 use super::first::part;
 use super::operands::Is;
 use super::timers::Preset;
@@ -9,7 +8,7 @@ use super::used::COUNTER_PRESET;
 use super::walk::{Block, Walk};
 use crate::ast::{Instr, Operand};
 use crate::diagnostics::{Code, Span};
-use crate::list::{Acc, Accumulator, Changes, Machine};
+use crate::list::{Acc, Accumulator, Changes, Machine, named};
 use crate::typed::{Order, Stmt, StmtKind};
 use unoclp_core::isa::Opcode;
 
@@ -135,7 +134,7 @@ impl Walk<'_, '_, '_> {
                 self.count(operand, &target, inputs, span);
             }
             (Is::Block(target, block), "CLK") if block.is_edge() => {
-                self.run_block(&target, vec![given("CLK", bit)], span);
+                self.run_block(&target, vec![named("CLK", bit)], span);
             }
             (Is::Wrong, _) => {}
             _ => self.not_callable(operand),

@@ -1,12 +1,11 @@
 //! CAL and what it may call.
 
-use super::edges::given;
 use super::operands::Is;
 use super::said::{ACCUMULATOR, BOOL, NUMBER, Words, constant};
 use super::walk::Walk;
 use crate::ast::{Instr, Operand, Param};
 use crate::diagnostics::{Code, Span};
-use crate::list::{Acc, Accumulator, Changes, Machine};
+use crate::list::{Acc, Accumulator, Changes, Machine, named};
 use crate::typed::build::{Argument, Target};
 use crate::typed::{Base, Expr, Standard, Stmt, StmtKind};
 
@@ -110,7 +109,7 @@ impl<'a> Walk<'_, 'a, '_> {
         let name = self.spelled(operand);
         let clock = match clock {
             Some(clock) => match self.param_bit(clock) {
-                Some(bit) => vec![given("CLK", bit)],
+                Some(bit) => vec![named("CLK", bit)],
                 None => return,
             },
             None if self.front.names.stores(&name, "CLK") => Vec::new(),

@@ -1,7 +1,6 @@
 //! Counters: CTU, CTD, CTUD, as an operator or by CAL.
 
 use super::calls::is_given;
-use super::edges::given;
 use super::operands::Is;
 use super::said::ACCUMULATOR;
 use super::stack::more_inputs;
@@ -9,7 +8,7 @@ use super::timers::Preset;
 use super::walk::Walk;
 use crate::ast::{Instr, Operand, Param};
 use crate::diagnostics::{Code, Span};
-use crate::list::{Acc, Accumulator, Machine};
+use crate::list::{Acc, Accumulator, Machine, named};
 use crate::names::Place;
 use crate::operators::Op;
 use crate::typed::build::Target;
@@ -56,7 +55,7 @@ impl Walk<'_, '_, '_> {
         };
         let mut below = Vec::new();
         for _ in 0..more_inputs(instr.op, instr, self.front.names.dialect) {
-            match self.popped() {
+            match self.run.popped() {
                 Some(Acc::Value(expr)) => {
                     below.push(self.as_bit(expr, ACCUMULATOR, instr.span));
                 }
@@ -170,7 +169,7 @@ impl Walk<'_, '_, '_> {
         self.front.writes = true;
         let mut all = Vec::new();
         for (name, input) in [("CU", inputs.up), ("CD", inputs.down)] {
-            all.extend(input.map(|input| given(name, input)));
+            all.extend(input.map(|input| named(name, input)));
         }
         let written = self.spelled(operand);
         for (names, input) in [
@@ -186,10 +185,10 @@ impl Walk<'_, '_, '_> {
                 None if stored => None,
                 None => Some(self.truth(false, span)),
             };
-            all.extend(input.map(|input| given(names[0], input)));
+            all.extend(input.map(|input| named(names[0], input)));
         }
         if let Some(Preset::Given(preset)) = inputs.preset {
-            all.push(given("PV", preset));
+            all.push(named("PV", preset));
         }
         self.run_block(target, all, span);
         self.run.links = 0;

@@ -1,15 +1,11 @@
 //! A run through a body: what each line does.
 
 use super::front::Front;
-use super::stack::pushes;
 use super::walk::Walk;
-use crate::ast::{Instr, Stmt};
-use crate::diagnostics::Code;
-use crate::list::{Acc, Accumulator, Branches, Flow, Jump, Machine, Run, Waiting, needed};
+use crate::ast::Instr;
+use crate::list::{Accumulator, Branches, Flow, Jump, Lines, Run, Stack};
 use crate::operators::Op;
 use crate::typed::Stmt as Made;
-use std::collections::HashSet;
-use unoclp_core::isa::Opcode;
 
 impl<'a> Front<'a, '_> {
     /// What a unit does.
@@ -18,41 +14,15 @@ impl<'a> Front<'a, '_> {
         let body = &self.units[unit].body;
         let writes = self.writes;
         self.builder.enter(number);
-        let pushed = pushes(body, self.names.dialect);
         let mut walk = Walk {
             unit,
             instance: self.instances[unit],
             body,
             run: Run::new(),
-            pushed,
-            lost: 0,
             block: None,
-            inverts: false,
-            jumps: false,
             front: self,
         };
-        walk.labels_of_body();
-        walk.run.needs = needed(walk.passes());
-        for (at, stmt) in body.iter().enumerate() {
-            walk.run.at = at;
-            match stmt {
-                Stmt::Label(word) => walk.label(&word.text, word.span),
-                Stmt::Close(span) => walk.close(*span),
-                Stmt::Wrong { open } => {
-                    walk.run.unused = None;
-                    walk.run.unreachable = false;
-                    walk.run.acc = Acc::Wrong;
-                    walk.lost += open;
-                }
-                Stmt::Instr(instr) => {
-                    walk.reachable(instr);
-                    if walk.pushed.contains(&at) {
-                        walk.push_result(instr.span);
-                    }
-                    walk.instr(instr);
-                }
-            }
-        }
+        walk.run_lines();
         let made = walk.finish();
         self.builder.body(number, made);
         self.builder.leave();
@@ -63,15 +33,7 @@ impl<'a> Front<'a, '_> {
 }
 
 impl<'a> Walk<'_, 'a, '_> {
-    fn reachable(&mut self, instr: &Instr) {
-        // What begins a part or stands after it is reached in another way.
-        let part = matches!(instr.op, Op::Part(Opcode::Else | Opcode::EndIf));
-        if std::mem::take(&mut self.run.unreachable) && !part {
-            self.tell(Code::Unreachable, instr.whole, []);
-        }
-    }
-
-    fn instr(&mut self, instr: &'a Instr) {
+    pub(super) fn instr(&mut self, instr: &'a Instr) {
         match instr.op {
             Op::Load => self.load(instr),
             Op::Store => self.store(instr),
@@ -94,52 +56,25 @@ impl<'a> Walk<'_, 'a, '_> {
             Op::Function => self.function(instr),
             Op::Timer(opcode) => self.timer_operator(instr, opcode),
             Op::CountUp | Op::CountDown | Op::CountUpDown => self.count_operator(instr),
-            Op::AndBlock | Op::OrBlock => self.pop_result(instr),
+            Op::AndBlock | Op::OrBlock => self.pop_result(instr.op, instr.span),
             Op::Block => self.begin_block(instr),
             Op::OutBlock => self.out_block(instr),
             Op::EndBlock => self.end_block(instr),
             // The parser has made a store of it.
             Op::Preset => {}
             Op::Input(opcode) => self.input_operator(instr, opcode),
-            Op::Push => self.push_number(instr),
-            Op::Table(opcode) => self.table(instr, opcode),
+            Op::Push => self.push_line(instr),
+            Op::Table(opcode) => self.table_line(instr, opcode),
             Op::Code => self.code(instr),
         }
     }
 
     fn finish(mut self) -> Vec<Made> {
-        self.warn_unused();
-        for frame in std::mem::take(&mut self.run.frames) {
-            let told = self.run.told_open == Some(frame.span);
-            if matches!(frame.waiting, Waiting::Deferred(..)) && !told {
-                self.tell(Code::LeftOpen, frame.span, []);
-            }
-        }
         self.end_of_blocks();
         self.end_of_branches();
         self.end_of_pushed();
         self.end_of_ifs();
         self.statements()
-    }
-
-    /// The labels, and those that a jump leads to.
-    fn labels_of_body(&mut self) {
-        let mut wanted = HashSet::new();
-        for stmt in self.body {
-            if let Stmt::Instr(instr) = stmt
-                && instr.op == Op::Jump
-                && let Some(name) = instr.operands.first().and_then(|operand| operand.name())
-            {
-                wanted.insert(name);
-            }
-        }
-        self.jumps = !wanted.is_empty();
-        let labels = self.body.iter().enumerate();
-        let labels = labels.filter_map(|(at, stmt)| match stmt {
-            Stmt::Label(word) => Some((at, word.text.clone(), word.span)),
-            _ => None,
-        });
-        self.find_labels(labels, &wanted);
     }
 
     fn jump_of(instr: &Instr) -> Jump {

@@ -8,7 +8,7 @@ use super::timers::Preset;
 use super::walk::Walk;
 use crate::ast::{Instr, Operand};
 use crate::diagnostics::{Code, Span};
-use crate::list::{Acc, Accumulator, Changes, Machine};
+use crate::list::{Acc, Accumulator, Changes, Edges, Machine};
 use crate::typed::{Expr, ExprKind};
 use unoclp_core::isa::Opcode;
 
@@ -52,7 +52,7 @@ impl Walk<'_, '_, '_> {
     /// `CNT 001 #0003`: the result before the last counts, the last one resets.
     pub(super) fn omron_counter(&mut self, instr: &Instr) {
         let reset = self.take_bit("CNT", instr.span);
-        let count = self.popped();
+        let count = self.run.popped();
         let [counter, preset, ..] = &instr.operands[..] else {
             return self.missing_preset("CNT", "001 #0003", instr.span);
         };
@@ -135,7 +135,7 @@ impl Walk<'_, '_, '_> {
         };
         self.only(instr, 1);
         bit = self.kept_for_later(bit);
-        if let Some(changed) = self.edge_of(bit.clone(), instr) {
+        if let Some(changed) = self.edge_of(bit.clone(), instr.span) {
             self.store_value(changed, operand, false);
         }
         self.run.links = 0;

@@ -6,8 +6,8 @@
 //! - `declare`: units and variables; `first`: what they begin with
 //! - `operands`: what an operand means and what it is worth; `said`: words of messages
 //! - `front`: what is known of the whole text; `walk`: what is held on the way through a body; `lines`: what each line does
-//! - `needs`: which lines use the accumulator; `bits`, `numbers`, `stores`, `defer`, `stack`: what works on it
-//! - `circles`: calls without end; `calls`, `units`, `timers`, `counters`, `edges`: what is called
+//! - `bits`, `numbers`, `stores`, `defer`, `stack`: what works on it
+//! - `circles`: calls without end; `calls`, `units`, `timers`, `counters`: what is called
 //! - `makers`, `blocks`: what the makers write in their own ways; `push`, `codes`: what the board's own words do
 //!
 //! Must not know what a statement costs.
@@ -20,13 +20,11 @@ mod codes;
 mod counters;
 mod declare;
 mod defer;
-mod edges;
 mod first;
 mod front;
 mod latches;
 mod lines;
 mod makers;
-mod needs;
 mod numbers;
 mod operands;
 mod push;

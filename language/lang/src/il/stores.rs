@@ -163,7 +163,7 @@ impl Walk<'_, '_, '_> {
     /// An output that has been written by ST before is told, where no jump may lead past one of the two.
     fn note_coil(&mut self, output: u8, operand: &Operand) {
         let kind = self.front.kind_of(self.unit);
-        if kind != UnitKind::Program || self.jumps {
+        if kind != UnitKind::Program || self.run.jumps {
             return;
         }
         let span = operand.span;

@@ -1,14 +1,13 @@
 //! Timers: TON, TOF, TP, as an operator or by CAL.
 
 use super::calls::is_given;
-use super::edges::given;
 use super::operands::Is;
 use super::said::{ACCUMULATOR, constant};
 use super::walk::Walk;
 use crate::Dialect;
 use crate::ast::{Instr, Operand, Param};
 use crate::diagnostics::{Code, Span};
-use crate::list::{Acc, Accumulator, Machine};
+use crate::list::{Acc, Accumulator, Machine, named};
 use crate::names::Place;
 use crate::typed::build::Target;
 use crate::typed::{Base, Expr, Root, Standard, TypeId};
@@ -198,10 +197,10 @@ impl Walk<'_, '_, '_> {
         if !self.front.timed.insert((unit, target.place.offset)) {
             return self.tell(Code::TimerTwice, span, [name.into()]);
         }
-        let mut all: Vec<_> = input.map(|input| given("IN", input)).into_iter().collect();
+        let mut all: Vec<_> = input.map(|input| named("IN", input)).into_iter().collect();
         if let Preset::Given(preset) = preset {
             let preset = self.fit(preset, TypeId::of(Base::Time), Base::Time);
-            all.push(given("PT", preset));
+            all.push(named("PT", preset));
         }
         self.run_block(target, all, span);
         self.run.links = 0;

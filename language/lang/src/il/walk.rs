@@ -2,13 +2,14 @@
 
 use super::front::Front;
 use super::said::{ACCUMULATOR, BOOL, NUMBER, constant};
+use super::stack::more_inputs;
 use crate::ast::{Instr, Operand, Stmt};
 use crate::diagnostics::{Code, Span, Word};
-use crate::list::{Acc, Changes, Machine, Run};
+use crate::list::{Acc, Changes, Does, Machine, Run, Says, Waiting};
 use crate::operators::Op;
 use crate::typed::build::{Builder, Target};
 use crate::typed::{Base, Compare, Expr, ExprKind, Standard, Stmt as Made, StmtKind, Store};
-use std::collections::HashSet;
+use std::borrow::Cow;
 
 /// A block whose inputs are being connected.
 pub(super) struct Block {
@@ -31,15 +32,7 @@ pub(super) struct Walk<'w, 'a, 'f> {
     pub unit: usize,
     pub instance: usize,
     pub run: Run,
-    /// The loads that push the result before them.
-    pub pushed: HashSet<usize>,
-    /// Parentheses whose operations are lost to an error.
-    pub lost: usize,
     pub block: Option<Block>,
-    /// N after a parenthesis: the load that follows is inverted.
-    pub inverts: bool,
-    /// Whether the body jumps, wherever to.
-    pub jumps: bool,
 }
 
 impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
@@ -101,6 +94,62 @@ impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
         Some(Made { kind, at })
     }
 
+    fn inverted(&mut self, expr: Expr, span: Span) -> Expr {
+        self.opposite(expr, span)
+    }
+
+    fn joined(&mut self, of: Waiting, left: Expr, right: Expr, from: [Span; 2]) -> Option<Expr> {
+        match of {
+            Waiting::Deferred(op, negated) => self.apply(op, negated, left, right, from[0]),
+            _ => None,
+        }
+    }
+
+    fn lines(&self) -> usize {
+        self.body.len()
+    }
+
+    fn says(&self, at: usize) -> Says<'_> {
+        match &self.body[at] {
+            Stmt::Label(word) => Says::Label(word.text.as_str().into(), word.span),
+            Stmt::Close(span) => Says::Close(*span),
+            Stmt::Wrong { open } => Says::Wrong(Some(*open)),
+            Stmt::Instr(instr) => Says::Does(Does {
+                op: Some(instr.op),
+                conditional: instr.conditional,
+                label: instr
+                    .operands
+                    .first()
+                    .and_then(Operand::name)
+                    .map(Cow::from),
+                pops: match instr.op {
+                    Op::AndBlock | Op::OrBlock => 1,
+                    op => more_inputs(op, instr, self.front.names.dialect),
+                },
+                span: instr.span,
+                whole: instr.whole,
+            }),
+        }
+    }
+
+    fn reads(&self, at: usize) -> bool {
+        let Stmt::Instr(instr) = &self.body[at] else {
+            return false;
+        };
+        match instr.op {
+            Op::Block | Op::OutBlock | Op::EndBlock => false,
+            Op::Function => self.takes_accumulator(instr),
+            _ => true,
+        }
+    }
+
+    fn line(&mut self, at: usize) {
+        let body = self.body;
+        if let Some(Stmt::Instr(instr)) = body.get(at) {
+            self.instr(instr);
+        }
+    }
+
     fn before_own(&mut self, changes: &Changes) {
         self.before_block(changes);
     }
@@ -139,9 +188,4 @@ impl<'a> Walk<'_, 'a, '_> {
         };
         self.tell(Code::OperandMissing, span, [what.into(), example.into()]);
     }
-}
-
-/// Whether a load comes next, so that the accumulator is needed no more.
-pub(super) fn loads(next: Option<&Stmt>) -> bool {
-    matches!(next, Some(Stmt::Instr(instr)) if instr.op == Op::Load)
 }

@@ -27,19 +27,14 @@ impl<'t, 'f, M: Machine<'t, 'f>> Flow<'t, 'f> for M {}
 
 /// What leads to other lines than the next.
 pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
-    /// The labels that a jump leads to; the others change nothing. `all` are the labels, each by the name that jumps have
-    /// for it.
-    fn find_labels<'n>(
-        &mut self,
-        all: impl Iterator<Item = (usize, String, Span)>,
-        wanted: &HashSet<&'n str>,
-    ) {
+    /// The labels that a jump leads to, of all by the names that jumps have for them; the others change nothing.
+    fn find_labels(&mut self, all: Vec<(usize, String, Span)>, wanted: &HashSet<String>) {
         let mut seen = HashSet::new();
         for (at, key, span) in all {
             let labels = &mut self.run_mut().labels;
             labels.all.push(span);
             let first = !seen.contains(&key);
-            if first && wanted.contains(key.as_str()) {
+            if first && wanted.contains(&key) {
                 labels.lines.insert(key.clone(), at);
             }
             if !seen.insert(key) {

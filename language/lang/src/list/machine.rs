@@ -1,6 +1,6 @@
 //! What the machine asks of the reader of a text.
 
-use super::{Changes, Run};
+use super::{Changes, Defers, Run, Says, Waiting};
 use crate::diagnostics::{Code, Span, Word};
 use crate::typed::build::{Builder, Target};
 use crate::typed::{Expr, Stmt};
@@ -27,6 +27,29 @@ pub(crate) trait Machine<'t, 'f>: Sized {
 
     /// The statement that stores a value; one that does not fit is told.
     fn assigned(&mut self, target: &Target, value: Expr, at: Span) -> Option<Stmt>;
+
+    /// The opposite of a value.
+    fn inverted(&mut self, expr: Expr, at: Span) -> Expr;
+
+    /// What an operation makes that waited from this parenthesis to that; what does not go together is told.
+    fn joined(&mut self, of: Waiting, left: Expr, right: Expr, from: [Span; 2]) -> Option<Expr>;
+
+    /// How many lines the body has.
+    fn lines(&self) -> usize;
+
+    /// What a line is.
+    fn says(&self, at: usize) -> Says<'_>;
+
+    /// Whether an instruction begins with what the accumulator holds, where its operator alone does not say so.
+    fn reads(&self, at: usize) -> bool;
+
+    /// Does an instruction.
+    fn line(&mut self, at: usize);
+
+    /// `)`
+    fn close_line(&mut self, span: Span) {
+        self.close(span);
+    }
 
     /// Before something changes: puts aside what the reader itself holds.
     fn before_own(&mut self, _changes: &Changes) {}

@@ -5,6 +5,7 @@ use crate::diagnostics::Span;
 use crate::operators::Op;
 use crate::typed::build::Target;
 use crate::typed::{Expr, Stmt};
+use std::collections::HashSet;
 
 /// What the accumulator holds.
 #[derive(Clone, Debug, Default)]
@@ -49,18 +50,28 @@ pub(crate) struct Run {
     /// Operations in the accumulator's expression.
     pub links: u32,
     pub frames: Vec<Frame>,
+    /// The loads that push the result before them, by their lines.
+    pub pushes: HashSet<usize>,
     /// What MPS has kept, and where.
     pub kept: Vec<(Acc, Span)>,
     /// What PUSH has pushed, and where.
     pub pushed: Vec<(Expr, Span)>,
     /// Whether the accumulator is the condition of the IF that was made last, or its opposite.
     pub decided: Option<bool>,
+    /// Parentheses whose operations are lost to an error.
+    pub lost: usize,
+    /// Something is wrong that may have been one, so that a `)` too many is not told.
+    pub forgives: bool,
+    /// N after a parenthesis: the load that follows is inverted.
+    pub inverts: bool,
     /// The result that nothing has used yet.
     pub unused: Option<Span>,
     /// Nothing comes here.
     pub unreachable: bool,
     /// The parenthesis of which it has been told that something cannot stand in it.
     pub told_open: Option<Span>,
+    /// Whether the body jumps, wherever to.
+    pub jumps: bool,
     pub labels: Labels,
     pub ifs: Vec<If>,
     /// The statements: of the body, and of each IF that is open.
@@ -78,12 +89,17 @@ impl Run {
             acc: Acc::Empty,
             links: 0,
             frames: Vec::new(),
+            pushes: HashSet::new(),
             kept: Vec::new(),
             pushed: Vec::new(),
             decided: None,
+            lost: 0,
+            forgives: false,
+            inverts: false,
             unused: None,
             unreachable: false,
             told_open: None,
+            jumps: false,
             labels: Labels::default(),
             ifs: Vec::new(),
             made: vec![Vec::new()],
@@ -94,6 +110,14 @@ impl Run {
     /// Whether the accumulator is used after the line that is run.
     pub fn needed(&self) -> bool {
         self.needs.get(self.at + 1).copied().unwrap_or_default()
+    }
+
+    /// The result that was pushed last.
+    pub fn popped(&mut self) -> Option<Acc> {
+        let pushed = |frame: &mut Frame| matches!(frame.waiting, Waiting::Pushed);
+        let frame = self.frames.pop_if(pushed)?;
+        self.links += frame.links;
+        Some(frame.acc)
     }
 
     /// Puts a new value into the accumulator.

@@ -5,11 +5,10 @@ use super::super::Checker;
 use super::operators::accumulated;
 use super::walk::Walk;
 use crate::diagnostics::{Code, Span};
-use crate::list::{Acc, Accumulator, Flow, Machine};
+use crate::list::{Acc, Accumulator, Edges, Flow, Machine, declare_edge, named};
 use crate::operators::Op;
-use crate::typed::build::{Argument, Given, Section, Target, Traits};
-use crate::typed::{Expr, Kind, Standard, Stmt, StmtKind, UnitKind};
-use unoclp_core::isa::Opcode;
+use crate::typed::build::{Argument, Section, Target};
+use crate::typed::{Expr, Stmt, StmtKind, UnitKind};
 
 impl Walk<'_, '_, '_, '_> {
     /// Whether a call by a function's name takes the accumulator as its first input: where one operand is lacking.
@@ -268,27 +267,8 @@ impl Walk<'_, '_, '_, '_> {
 
     /// Whether a bit has risen or fallen since this was asked last.
     pub(super) fn edge(&mut self, expr: Expr, at: Span) -> Expr {
-        if self.c.builder.kind_here() == Some(UnitKind::Function) {
-            let word = self.c.builder.written(at);
-            self.tell(Code::Stateless, at, [word.into()]);
-            return self.c.builder.wrong(at);
-        }
-        let name = edge_name(self.run.at, self.edges);
-        self.edges += 1;
-        // There may have been too many to declare, which has been told.
-        let known = self.c.builder.find(&name).is_some();
-        let target = known.then(|| self.c.builder.name(&name, at)).flatten();
-        let Some(target) = target else {
-            return self.c.builder.wrong(at);
-        };
-        let body = self
-            .c
-            .builder
-            .block(target.clone(), vec![named("CLK", expr)], at);
-        // It changes nothing that a text can name.
-        body.into_iter().for_each(|one| self.push(one));
-        let q = self.c.builder.member(target, "Q", at);
-        self.c.builder.read(q, at)
+        let expr = self.edge_of(expr, at);
+        expr.unwrap_or_else(|| self.c.builder.wrong(at))
     }
 
     /// EU, ED
@@ -326,7 +306,7 @@ impl Checker<'_, '_, '_> {
         if kind == UnitKind::Function {
             return;
         }
-        for (at, line) in lines.iter().enumerate() {
+        for line in lines {
             let Line::Does(one) = line else { continue };
             let spelling = one.spelling;
             let edge = spelling.and_then(|spelling| match spelling.op {
@@ -334,39 +314,12 @@ impl Checker<'_, '_, '_> {
                 _ => spelling.edge,
             });
             let Some(edge) = edge else { continue };
-            let block = match edge {
-                Opcode::FallingEdge => Standard::FTrig,
-                _ => Standard::RTrig,
-            };
-            for number in 0..one.operands.len().max(1) {
-                let types = &mut self.builder.tree.types;
-                let ty = types.add_kind(Kind::Standard(block), block.cells());
-                let traits = Traits {
-                    unseen: true,
-                    ..Traits::default()
-                };
-                let name = edge_name(at, number);
-                let made = self
-                    .builder
-                    .declare(&name, one.span, ty, Section::Var, traits);
-                if made.is_none() {
+            let more = one.operands.iter().skip(1).map(|arg| arg.node.span);
+            for at in std::iter::once(one.span).chain(more) {
+                if !declare_edge(&mut self.builder, edge, at) {
                     return;
                 }
             }
         }
-    }
-}
-
-/// The instance of an edge, by its line and its number there.
-fn edge_name(line: usize, number: usize) -> String {
-    format!("#edge {line} {number}")
-}
-
-fn named(name: &str, expr: Expr) -> Argument {
-    Argument {
-        name: Some((name.to_owned(), expr.at)),
-        out: false,
-        at: expr.at,
-        given: Given::Value(expr),
     }
 }

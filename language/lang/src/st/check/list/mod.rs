@@ -1,10 +1,12 @@
 //! Instruction List: from lines to the statements of the typed tree.
 //!
 //! - `walk`: the machine that the lines are run on, with the types of the text
-//! - `flow`: which lines read the accumulator, and where they lead
+//! - `flow`: jumps and RET
 //! - `operators`: what each line does
+//! - `board`: the board's own words
 //! - `calls`: functions, blocks, timers, counters, edges; `undeclared`: timers and counters by the board's names
 
+mod board;
 mod calls;
 mod flow;
 mod operators;
@@ -13,8 +15,7 @@ mod walk;
 
 use super::super::ast::Line;
 use super::Checker;
-use crate::diagnostics::Code;
-use crate::list::{Acc, Accumulator, Flow, Machine, Run, needed};
+use crate::list::{Flow, Lines, Run, Stack};
 use crate::operators::Op;
 use crate::typed::Stmt;
 use unoclp_point::{Kind, Maker, read};
@@ -38,40 +39,11 @@ impl Checker<'_, '_, '_> {
             c: self,
             lines,
             run: Run::new(),
-            edges: 0,
-            lost: false,
-            inverts: false,
         };
-        walk.labels_of_body();
-        walk.run.needs = needed(walk.passes());
-        for (at, line) in lines.iter().enumerate() {
-            (walk.run.at, walk.edges) = (at, 0);
-            match line {
-                Line::Label(name) => walk.label(&name.text.to_uppercase(), name.span),
-                Line::Close(span) => walk.close(*span),
-                Line::Wrong => {
-                    walk.run.unreachable = false;
-                    walk.run.unused = None;
-                    walk.lost = true;
-                    walk.run.acc = Acc::Wrong;
-                }
-                Line::Does(instruction) => walk.instruction(instruction),
-            }
-        }
-        walk.finish()
-    }
-}
-
-impl Walk<'_, '_, '_, '_> {
-    fn finish(mut self) -> Vec<Stmt> {
-        self.warn_unused();
-        // Of more than one the first is told, since what closes it may close the others.
-        let open = self.run.frames.first().map(|frame| frame.span);
-        if let Some(open) = open.filter(|_| self.run.told_open.is_none()) {
-            self.tell(Code::LeftOpen, open, []);
-        }
-        self.end_of_ifs();
-        self.statements()
+        walk.run_lines();
+        walk.end_of_pushed();
+        walk.end_of_ifs();
+        walk.statements()
     }
 }
 

@@ -5,12 +5,11 @@ use super::is_load;
 use super::walk::Walk;
 use crate::diagnostics::{Code, Span};
 use crate::list::{
-    Acc, Accumulator, Branches, Decides, Flow, Frame, MOST_FRAMES, Machine, Waiting,
+    Acc, Accumulator, Branches, Decides, Defers, Flow, Machine, Opens, Stack, Waiting,
 };
 use crate::operators::{self, Op};
 use crate::typed::build::{Argument, Given, Named, Target, both};
 use crate::typed::{Base, Expr, ExprKind, Kind, TypeId, UnitKind, Value};
-use unoclp_core::isa::Opcode;
 
 impl Walk<'_, '_, '_, '_> {
     /// The function of the text that an operator names.
@@ -25,11 +24,6 @@ impl Walk<'_, '_, '_, '_> {
     }
 
     pub(super) fn instruction(&mut self, one: &Instruction) {
-        let part = one.spelling.map(|spelling| spelling.op);
-        let joins = matches!(part, Some(Op::Part(Opcode::Else | Opcode::EndIf)));
-        if std::mem::take(&mut self.run.unreachable) && !joins {
-            self.tell(Code::Unreachable, one.span, []);
-        }
         let Some(spelling) = one.spelling.filter(|_| self.own_function(one).is_none()) else {
             return self.by_name(one);
         };
@@ -63,6 +57,10 @@ impl Walk<'_, '_, '_, '_> {
             Op::Differentiate(_) => self.differentiate(one),
             Op::Keep => self.keep_result(one.span),
             Op::Recall | Op::Release => self.recall_result(spelling.op, one.word.span, one.span),
+            Op::AndBlock | Op::OrBlock => self.pop_result(spelling.op, one.word.span),
+            Op::Push => self.push_line(one),
+            Op::Table(opcode) => self.table_line(one, opcode),
+            Op::Code => self.code(one),
             _ => self.not_here(one),
         }
     }
@@ -143,7 +141,7 @@ impl Walk<'_, '_, '_, '_> {
 
     fn loaded(&mut self, expr: Expr, one: &Instruction) {
         let mut expr = expr;
-        let inverts = std::mem::take(&mut self.inverts);
+        let inverts = std::mem::take(&mut self.run.inverts);
         if one.spelling.and_then(|spelling| spelling.edge).is_some() {
             expr = self.edge(expr, one.span);
         }
@@ -256,7 +254,7 @@ impl Walk<'_, '_, '_, '_> {
             return self.not_here(one);
         };
         if let Some(negated) = one.open {
-            return self.defer(one, name, negated);
+            return self.open(one, name, negated);
         }
         if one.given.is_some() {
             return self.formal(one, &name);
@@ -273,9 +271,19 @@ impl Walk<'_, '_, '_, '_> {
             self.run.unused = Some(one.span);
             return;
         }
+        if self.is_popped(one) {
+            let popped = self.popped_number(one.span);
+            let made = popped.map(|popped| {
+                let all = vec![accumulated(popped), accumulated(expr)];
+                self.c.builder.function(&name, all, one.span)
+            });
+            self.hold(made);
+            return self.link();
+        }
         let mut all = vec![accumulated(expr)];
-        for arg in &one.operands {
-            let given = self.operand(arg, one, ty);
+        for (number, arg) in one.operands.iter().enumerate() {
+            let at = if number == 0 { one.span } else { arg.node.span };
+            let given = self.operand(arg, one, at, ty);
             all.push(given);
         }
         let expr = self.c.builder.function(&name, all, one.span);
@@ -285,13 +293,13 @@ impl Walk<'_, '_, '_, '_> {
     }
 
     /// An operand; a value of the accumulator's own enumeration is looked for there.
-    fn operand(&mut self, arg: &Arg, one: &Instruction, with: TypeId) -> Argument {
+    fn operand(&mut self, arg: &Arg, one: &Instruction, at: Span, with: TypeId) -> Argument {
         let spelling = one.spelling;
         let negated = spelling.is_some_and(|spelling| spelling.negated);
         let edge = spelling.is_some_and(|spelling| spelling.edge.is_some());
         let mut expr = self.value(&arg.node, Some(with));
         if edge {
-            expr = self.edge(expr, one.span);
+            expr = self.edge(expr, at);
         }
         if negated {
             expr = self.c.builder.not(expr, arg.node.span);
@@ -322,60 +330,18 @@ impl Walk<'_, '_, '_, '_> {
     }
 
     /// `AND(`
-    fn defer(&mut self, one: &Instruction, name: String, negated: bool) {
-        if self.run.frames.len() == MOST_FRAMES {
-            self.tell(Code::TooDeep, one.span, []);
-        }
-        if self.run.frames.len() >= MOST_FRAMES {
-            self.run.acc = Acc::Wrong;
-        }
-        let acc = self.take(&one.word.text, one.word.span);
+    fn open(&mut self, one: &Instruction, name: String, negated: bool) {
         let inverts = one.spelling.is_some_and(|spelling| spelling.negated);
-        self.run.frames.push(Frame {
-            acc: acc.map_or(Acc::Wrong, Acc::Value),
-            waiting: Waiting::Function(name, inverts),
-            span: one.span,
-            links: self.run.links,
-        });
-        if let Some(arg) = one.operands.first() {
-            let mut expr = self.c.expr(&arg.node, None);
-            if negated {
-                expr = self.c.builder.not(expr, one.span);
-            }
-            self.run.load(Some(expr));
-        } else {
-            self.inverts = negated && is_load(self.lines.get(self.run.at + 1));
-        }
-    }
-
-    /// `)`
-    pub(super) fn close(&mut self, span: Span) {
-        let Some(frame) = self.run.frames.pop() else {
-            if !self.lost {
-                self.tell(Code::CloseWithoutOpen, span, []);
-            }
-            return;
+        let opens = Opens {
+            what: &one.word.text,
+            operator: one.word.span,
+            at: one.span,
+            negated,
+            loads: is_load(self.lines.get(self.run.at + 1)),
         };
-        let Waiting::Function(name, negated) = frame.waiting else {
-            return;
-        };
-        let Some(mut inner) = self.take(")", span) else {
-            return;
-        };
-        if negated {
-            inner = self.c.builder.not(inner, span);
-        }
-        let Acc::Value(outer) = frame.acc else {
-            self.run.acc = Acc::Wrong;
-            return;
-        };
-        let all = vec![accumulated(outer), accumulated(inner)];
-        let at = frame.span.to(span);
-        let expr = self.c.builder.function(&name, all, at);
-        self.hold(Some(expr));
-        self.run.links += frame.links;
-        self.link();
-        self.run.unused = Some(at);
+        let first = one.operands.first();
+        let first = first.map(|arg| |walk: &mut Self| Some(walk.value(&arg.node, None)));
+        self.defer(Waiting::Function(name, inverts), &opens, first);
     }
 
     /// A function, or a block, by its name alone.

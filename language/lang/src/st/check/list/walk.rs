@@ -2,8 +2,10 @@
 
 use super::super::super::ast::Line;
 use super::super::Checker;
+use super::operators::accumulated;
 use crate::diagnostics::{Code, Severity, Span, Word};
-use crate::list::{Machine, Run};
+use crate::list::{Acc, Defers, Does, Machine, Run, Says, Waiting};
+use crate::operators::Op;
 use crate::typed::build::{Builder, Target};
 use crate::typed::{Expr, ExprKind, Stmt};
 
@@ -11,12 +13,6 @@ pub(super) struct Walk<'c, 'a, 't, 'f> {
     pub(super) c: &'c mut Checker<'a, 't, 'f>,
     pub(super) lines: &'c [Line],
     pub(super) run: Run,
-    /// How many edges the line that is run has had.
-    pub(super) edges: usize,
-    /// Operations that waited may be lost to an error.
-    pub(super) lost: bool,
-    /// `(N`: the load that follows is inverted.
-    pub(super) inverts: bool,
 }
 
 impl<'t, 'f> Machine<'t, 'f> for Walk<'_, '_, 't, 'f> {
@@ -54,5 +50,72 @@ impl<'t, 'f> Machine<'t, 'f> for Walk<'_, '_, 't, 'f> {
 
     fn assigned(&mut self, target: &Target, value: Expr, at: Span) -> Option<Stmt> {
         self.c.builder.assign(target.clone(), value, at)
+    }
+
+    fn inverted(&mut self, expr: Expr, at: Span) -> Expr {
+        self.c.builder.not(expr, at)
+    }
+
+    fn joined(&mut self, of: Waiting, left: Expr, right: Expr, from: [Span; 2]) -> Option<Expr> {
+        let (name, negated) = match of {
+            Waiting::Function(name, negated) => (name, negated),
+            Waiting::Deferred(Op::And, negated) => ("AND".to_owned(), negated),
+            Waiting::Deferred(Op::Or, negated) => ("OR".to_owned(), negated),
+            _ => return None,
+        };
+        let right = match negated {
+            true => self.c.builder.not(right, from[1]),
+            false => right,
+        };
+        let all = vec![accumulated(left), accumulated(right)];
+        let at = from[0].to(from[1]);
+        Some(self.c.builder.function(&name, all, at))
+    }
+
+    fn lines(&self) -> usize {
+        self.lines.len()
+    }
+
+    fn says(&self, at: usize) -> Says<'_> {
+        match &self.lines[at] {
+            Line::Label(name) => Says::Label(name.text.to_uppercase().into(), name.span),
+            Line::Close(span) => Says::Close(*span),
+            Line::Wrong => Says::Wrong(None),
+            Line::Does(one) => Says::Does(Does {
+                op: one.spelling.map(|spelling| spelling.op),
+                conditional: one.jump().conditional,
+                label: one.label().map(|name| name.text.to_uppercase().into()),
+                pops: match one.spelling.map(|spelling| spelling.op) {
+                    Some(Op::AndBlock | Op::OrBlock) => 1,
+                    _ => 0,
+                },
+                span: one.word.span,
+                whole: one.span,
+            }),
+        }
+    }
+
+    fn reads(&self, at: usize) -> bool {
+        let Line::Does(one) = &self.lines[at] else {
+            return false;
+        };
+        match one.spelling {
+            Some(_) if self.own_function(one).is_none() => one.given.is_none(),
+            _ => self.takes_accumulator(one),
+        }
+    }
+
+    fn line(&mut self, at: usize) {
+        let lines = self.lines;
+        if let Some(Line::Does(one)) = lines.get(at) {
+            self.instruction(one);
+        }
+    }
+
+    fn close_line(&mut self, span: Span) {
+        self.close(span);
+        if let Acc::Value(expr) = &self.run.acc {
+            self.run.unused = Some(expr.at);
+        }
     }
 }
