@@ -20,7 +20,7 @@ const DENY: [&str; 3] = ["--", "-D", "warnings"];
 /// number of kinds is a multiple of that, so each kind has its turn.
 const QUICK: u32 = 9;
 /// What takes longer in a whole run is no part of a quick one, unless it makes fewer rounds there.
-const LONG: Duration = Duration::from_secs(3);
+const LONG: Duration = Duration::from_secs(1);
 /// What needs a firmware that was built here.
 const BUILT: [&str; 4] = [
     "xtask tested the_pinned_tools_have_built_what_the_suite_runs_on",
@@ -32,8 +32,8 @@ const BUILT: [&str; 4] = [
 /// The words after `cargo xtask test`.
 #[derive(clap::Args)]
 pub struct TestArgs {
-    /// Leave out clippy, the documentation and its examples, ten of eleven random rounds and cases, and what took 3 s or
-    /// more in the last whole run
+    /// Leave out clippy, the documentation and its examples, ten of eleven random rounds and cases, and what took a
+    /// second or more in the last whole run
     #[arg(long)]
     quick: bool,
     /// Run them on the tested firmware, firmware/unoclp-uno.hex with its symbols, and build none

@@ -56,6 +56,7 @@ export class Session implements Witness {
   /** The cycle of its next step, and what it gave before. */
   private machineAt = 0;
   private given = 0;
+  private readonly readings = new Map<number, number>();
 
   /** `clock` is real time in ms. */
   constructor(
@@ -71,6 +72,7 @@ export class Session implements Witness {
     this.machine = machine;
     this.machineAt = (this.board?.now ?? 0) + CYCLES_PER_MS;
     this.given = 0;
+    this.readings.clear();
   }
 
   /** Obeys a command. After it there may be something to do: see `turn`. */
@@ -138,10 +140,15 @@ export class Session implements Witness {
       const { closed, analogue } = machine.step(board.surroundings.outputs, board.surroundings.takeShares(board.now));
       if (machine !== this.machine) return;
       this.give(machine.inputs, closed);
-      for (const [input, reading] of analogue) {
-        if (isNumber(input, 0, ANALOGUE_INPUTS - 1)) board.setAnalogue(input, { reading });
-      }
+      for (const [input, reading] of analogue) this.measure(board, input, reading);
     }
+  }
+
+  /** What an analogue input reads from now on. */
+  private measure(board: Board, input: number, reading: number): void {
+    if (this.readings.get(input) === reading || !isNumber(input, 0, ANALOGUE_INPUTS - 1)) return;
+    this.readings.set(input, reading);
+    board.setAnalogue(input, { reading });
   }
 
   /** Moves the contacts at these inputs that stand otherwise. */

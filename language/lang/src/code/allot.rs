@@ -2,7 +2,7 @@
 //!
 //! Owns which cell gets which place. Must not know instructions.
 
-use super::allotter::{Allotter, COUNTER, MARKER, REGISTER, RETENTIVE_MARKER, named};
+use super::allotter::{Allotter, COUNTER, REGISTER, named};
 use super::flat::Flat;
 use super::seats::{Seat, Seats};
 use super::uses::{Called, Uses};
@@ -49,6 +49,12 @@ pub(super) fn allot(
             **cell,
         )
     });
+    // A timer whose Q goes nowhere drives a marker all the same.
+    let idle = uses
+        .blocks
+        .iter()
+        .any(|(_, called)| called.block.is_timer());
+    let idle = idle.then(|| allotter.seats.last_marker()).flatten();
     let mut lives: Vec<(u32, Seat)> = Vec::new();
     for (&cell, of) in cells {
         if allotter.seats.of.contains_key(&cell) {
@@ -69,6 +75,7 @@ pub(super) fn allot(
             lives.push((of.last, seat));
         }
     }
+    idle.into_iter().for_each(|seat| seats.release(seat));
     // What stands between two statements goes where no cell ever is.
     let all: Vec<Seat> = seats.of.values().copied().collect();
     all.into_iter().for_each(|seat| seats.take(seat));
@@ -158,18 +165,10 @@ impl Allotter<'_> {
         }
     }
 
-    /// A place for a cell of its own.
+    /// A place for a cell of its own: of a BOOL a marker, or a register where no marker is left.
     fn seat(&mut self, cell: u32, base: Base, retain: bool) -> Option<Seat> {
-        let (seat, words, most) = match base {
-            Base::Bool if retain => (self.seats.marker(true), RETENTIVE_MARKER, 8),
-            Base::Bool => (
-                self.seats.marker(false),
-                MARKER,
-                self.board.markers_that(false).count() as u32,
-            ),
-            _ => (self.seats.register(), REGISTER, u32::from(REGISTERS)),
-        };
-        match seat {
+        let marker = (base == Base::Bool).then(|| self.seats.marker(retain));
+        match marker.flatten().or_else(|| self.seats.register()) {
             Some(seat) => {
                 self.seats.of.insert(cell, seat);
                 if let Seat::At(Address::Register(register)) = seat
@@ -180,7 +179,7 @@ impl Allotter<'_> {
                 Some(seat)
             }
             None => {
-                self.none_left(words, most, cell);
+                self.none_left(REGISTER, u32::from(REGISTERS), cell);
                 None
             }
         }

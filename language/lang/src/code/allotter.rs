@@ -10,11 +10,7 @@ use crate::typed::{Base, Holds, Tree};
 use std::collections::HashMap;
 use unoclp_core::Board;
 
-pub(super) const MARKER: (&str, &str) = ("marker", "memória");
-
 pub(super) const REGISTER: (&str, &str) = ("register", "registrador");
-
-pub(super) const RETENTIVE_MARKER: (&str, &str) = ("retentive marker", "memória retentiva");
 
 pub(super) const COUNTER: (&str, &str) = ("counter", "contador");
 
@@ -62,15 +58,12 @@ impl Allotter<'_> {
         let (name, at) = self.place(cell);
         // Of an array or a structure: how much of it there is, and how much has found a place.
         let own = |other: &u32| self.names.get(other).is_some_and(|named| named.1 == at);
-        let kind = |other: &u32| {
-            let base = |cell: u32| self.flat.cells.get(cell as usize).map(|held| held.base);
-            (base(*other) == Some(Base::Bool)) == (base(cell) == Some(Base::Bool))
+        let is_bool = |cell: u32| {
+            let held = self.flat.cells.get(cell as usize);
+            held.is_some_and(|held| held.base == Base::Bool)
         };
-        let parts = self
-            .uses
-            .cells
-            .keys()
-            .filter(|cell| own(cell) && kind(cell));
+        let parts = self.uses.cells.keys();
+        let parts = parts.filter(|other| own(other) && is_bool(**other) == is_bool(cell));
         let parts: Vec<u32> = parts.copied().collect();
         let whole = name.split(['[', '.']).next().unwrap_or_default();
         if whole == name || parts.len() < 2 || words == COUNTER {
@@ -83,14 +76,11 @@ impl Allotter<'_> {
         let free = parts.iter().filter(|cell| self.seats.of.contains_key(cell));
         let free = free.count().to_string();
         let count = parts.len();
-        let takes = Word::Both(
-            format!("{count} {}s", words.0),
-            match words {
-                REGISTER => format!("{count} registradores"),
-                MARKER => format!("{count} memórias"),
-                _ => format!("{count} memórias retentivas"),
-            },
-        );
+        let (places, lugares) = match is_bool(cell) {
+            true => ("markers or registers", "memórias ou registradores"),
+            false => ("registers", "registradores"),
+        };
+        let takes = Word::Both(format!("{count} {places}"), format!("{count} {lugares}"));
         self.found
             .tell(Code::BoardRow, at, [whole.into(), takes, free.into()]);
     }

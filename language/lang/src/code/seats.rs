@@ -78,6 +78,20 @@ impl Seats {
         Some(seat)
     }
 
+    /// The last marker that is free and keeps nothing.
+    pub(super) fn last_marker(&mut self) -> Option<Seat> {
+        let mut all = self.board?.markers_that(false).rev();
+        let free = all.find(|n| self.markers >> (n - 1) & 1 == 0)?;
+        let seat = Seat::At(Address::Marker(free));
+        self.take(seat);
+        Some(seat)
+    }
+
+    /// A place for a bit: a marker, or a register where none is left.
+    fn bit(&mut self) -> Option<Seat> {
+        self.marker(false).or_else(|| self.register())
+    }
+
     pub(super) fn register(&mut self) -> Option<Seat> {
         let seat = Seat::At(Address::Register(
             (1..=REGISTERS).find(|n| self.registers >> (n - 1) & 1 == 0)?,
@@ -101,18 +115,14 @@ impl Seats {
     /// A cell of its own until the statement ends.
     pub(super) fn temporary(&mut self, bit: bool, wide: bool) -> u32 {
         let seat = match bit {
-            true => self.marker(false),
+            true => self.bit(),
             false => self.register(),
         };
         let cell = TEMPORARY + (self.next << 1) + u32::from(wide);
         self.next += 1;
         let seat = seat.unwrap_or_else(|| {
             self.none_left = true;
-            if bit {
-                Seat::At(Address::Marker(1))
-            } else {
-                Seat::At(Address::Register(1))
-            }
+            Seat::At(Address::Register(1))
         });
         self.of.insert(cell, seat);
         self.busy.push((cell, seat));

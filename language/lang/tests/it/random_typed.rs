@@ -3,20 +3,21 @@
 //!
 //! `UNOCLP_SEED` is the first seed.
 
-use crate::board::{Twins, compiled, errors, with_plc};
-use unoclp_lang::TextLanguage;
+use crate::board::{Twins, compiled, errors, large, with_plc};
+use unoclp_core::Board;
+use unoclp_lang::{TextLanguage, compile_text};
 use unoclp_testing::{Random, rounds, typed_program};
 
 const PROGRAMS: u32 = 500;
 const SCANS: u32 = 20;
 
-/// Whether the program of this seed ran.
+/// Whether the program of this seed ran on this board.
 ///
 /// # Errors
 /// What differs.
-fn compared(seed: u64) -> Result<bool, String> {
+fn compared(seed: u64, board: Board) -> Result<bool, String> {
     let text = typed_program(seed, 4 + seed as usize % 9);
-    let made = compiled(&text, TextLanguage::St);
+    let made = compile_text(&text, TextLanguage::St, board);
     // Constants that do not fit are told, and so is what the board lacks.
     if let Some(errors) = errors(&made) {
         return match errors.contains("IL-") {
@@ -56,11 +57,24 @@ fn compared(seed: u64) -> Result<bool, String> {
 
 #[test]
 fn random_programs_are_alike_on_the_core_and_in_the_interpreter() {
+    all_are_alike(large());
+}
+
+/// What has no marker stands in a register.
+#[test]
+fn random_programs_are_alike_where_most_bits_stand_in_registers() {
+    all_are_alike(Board {
+        markers: 3,
+        ..large()
+    });
+}
+
+fn all_are_alike(board: Board) {
     let first = std::env::var("UNOCLP_SEED").map_or(1, |seed| seed.parse().expect("a number"));
     let count = u64::from(rounds(PROGRAMS));
     let (mut ran, mut wrong) = (0, Vec::new());
     for seed in first..first + count {
-        match compared(seed) {
+        match compared(seed, board) {
             Ok(did) => ran += u64::from(did),
             Err(why) => wrong.push(why),
         }

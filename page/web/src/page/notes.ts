@@ -14,13 +14,14 @@ export interface Offer {
 }
 
 /** Shows a note, and what it offers, for a while, which begins again with each step by keyboard: who goes to it so gets there;
- * one without which the page is of no use stays. */
+ * one without which the page is of no use stays. One that says the same takes the place of the older. */
 export function note(text: string, offer?: Offer, stays = false): void {
   const notes = byId("notes");
   const close = (): void => shown.remove();
   const shown = h("div", {}, h("span", {}, text),
     offer ? h("button", { type: "button", click: () => { close(); offer.take(); } }, offer.text) : null,
     h("button", { type: "button", "aria-label": say("close"), click: close }, "×"));
+  for (const other of [...notes.children]) if (other.firstElementChild?.textContent === text) other.remove();
   while (notes.children.length > 2) notes.firstElementChild?.remove();
   notes.append(shown);
   if (stays) return;

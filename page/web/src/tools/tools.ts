@@ -15,6 +15,7 @@ interface Exports {
 }
 
 /** The places of `Wires` in Rust. */
+const OUTPUTS = 99;
 const READINGS = 100;
 
 const encoder = new TextEncoder();
@@ -35,6 +36,8 @@ export class Died extends Error {}
 
 export class Tools {
   private dead = false;
+  /** Where a machine reads its outputs, until the memory grows. */
+  private shares = new Uint8Array();
 
   private constructor(
     private readonly rust: Exports,
@@ -60,8 +63,10 @@ export class Tools {
    * share of 255 it was high. Gives the inputs that are 1 as bits too, or null where none is open; throws `Died`. */
   step(levels: number, shares: readonly number[], ms: number): number | null {
     return this.alive(() => {
+      const { buffer } = this.rust.memory;
       // Number 0 is no output.
-      new Uint8Array(this.rust.memory.buffer, this.rust.unoclp_shares() + 1, shares.length).set(shares);
+      if (this.shares.buffer !== buffer) this.shares = new Uint8Array(buffer, this.rust.unoclp_shares() + 1, OUTPUTS);
+      this.shares.set(shares);
       const closed = this.rust.unoclp_step(levels, ms);
       return closed < 0 ? null : closed;
     });

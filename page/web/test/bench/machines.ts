@@ -1,19 +1,20 @@
 // What a machine beside the simulated UNO costs: how much of the board's pace, and how many drawings of it can be made in a
 // second. Part of `npm run bench`; with `--json` it says so in a form that `cargo xtask bench` writes into the pages.
 //
-// The board runs the model solution of each machine, as in the page's worker: with the machine, which takes a step each ms
-// and is drawn each 16 ms, and without, in turn. The quickest turn of each counts, in time of the processor: many short ones, of which
-// some are disturbed by nothing else on the computer.
+// The board runs the model solution of each machine, as in the page's worker: with the machine, which takes a step each
+// simulated ms, and without, in turn, its contacts as it left them. How much longer the turns with it take than those beside
+// them, and what a drawing between them takes, is the median, in time of the processor. The page draws 60 times a second.
 
 import { readFileSync, readdirSync } from "node:fs";
+import type { Machine } from "../../../uno/src/machine";
 import { Session } from "../../../uno/src/session";
 import { Wired } from "../../src/board/wired";
 import { Tools } from "../../src/tools/tools";
 
-/** Simulated ms from one drawing to the next, how many a turn has, and how many turns there are. */
-const DRAWN = 16;
-const DRAWINGS = 5;
-const TURNS = 60;
+/** Simulated ms of a turn, how often there is one with the machine and one without, and drawings a second. */
+const TURN = 80;
+const PAIRS = 150;
+const SCREEN = 60;
 const BLOCK = 512;
 
 const page = new URL("../page/", import.meta.url);
@@ -59,24 +60,41 @@ async function cost(module: WebAssembly.Module, name: string): Promise<{ lost: n
   pass(2000);
   for (const { part, value, high, what } of facts.hands.slice(0, 2)) if (what === "pressed") tools.ask("machineHand", { part, value, to: high });
   pass(3000);
-  let [alone, beside, drawing] = [Infinity, Infinity, Infinity];
-  for (let turn = 0; turn < TURNS; turn += 1) {
+  let given = 0;
+  const machine: Machine = {
+    inputs: wired.inputs,
+    step: (levels, shares) => {
+      const gives = wired.step(levels, shares);
+      given = gives.closed;
+      return gives;
+    },
+  };
+  const beside = (): number => {
+    session.wire(machine);
+    return time(() => pass(TURN));
+  };
+  // The contacts stay as the machine left them: the program goes the same way.
+  const alone = (): number => {
     session.wire(null);
-    alone = Math.min(alone, time(() => {
-      for (let drawn = 0; drawn < DRAWINGS; drawn += 1) pass(DRAWN);
-    }));
-    session.wire(wired);
-    beside = Math.min(beside, time(() => {
-      for (let drawn = 0; drawn < DRAWINGS; drawn += 1) {
-        pass(DRAWN);
-        tools.ask("machineLook", {});
-      }
-    }));
-    // Apart: to ask for the time takes time too.
-    pass(DRAWN);
-    drawing = Math.min(drawing, time(() => tools.ask("machineLook", {})));
+    for (let input = 1; given >> (input - 1); input += 1) session.obey({ kind: "button", input, closed: ((given >> (input - 1)) & 1) === 1 });
+    return time(() => pass(TURN));
+  };
+  const [without, more, drawings]: [number[], number[], number[]] = [[], [], []];
+  for (let pair = 0; pair < PAIRS; pair += 1) {
+    const before = pair % 2 === 0 ? alone() : 0;
+    const took = beside();
+    drawings.push(time(() => tools.ask("machineLook", {})));
+    const other = before || alone();
+    without.push(other);
+    more.push(took - other);
   }
-  return { lost: 1 - alone / beside, drawing: 1000 * drawing };
+  const drawing = median(drawings);
+  const pace = median(without) / (median(without) + median(more));
+  return { lost: 1 - pace * (1 - SCREEN * drawing), drawing: 1000 * drawing };
+}
+
+function median(all: readonly number[]): number {
+  return all.toSorted((one, other) => one - other)[all.length >> 1] ?? 0;
 }
 
 const module = await WebAssembly.compile(readFileSync(new URL("unoclp-full.wasm", page)));

@@ -121,9 +121,12 @@ test("a note ends, whatever it offers", async () => {
   // The page's time stands but for what the test lets pass, however long the machine takes.
   await page.clock.install({ time: 0 });
   await page.clock.pauseAt(60_000);
-  await page.evaluate(() => document.querySelector("#menu-fileMenu")?.dispatchEvent(new MouseEvent("click")));
-  await page.getByRole("button", { name: "New", exact: true }).click();
-  await page.locator("#notes").getByRole("button", { name: "Undo" }).waitFor();
+  // The second takes the place of the first, which says the same.
+  for (let time = 0; time < 2; time += 1) {
+    await page.evaluate(() => document.querySelector("#menu-fileMenu")?.dispatchEvent(new MouseEvent("click")));
+    await page.getByRole("button", { name: "New", exact: true }).click();
+    await page.locator("#notes").getByRole("button", { name: "Undo" }).waitFor();
+  }
   // Each step by keyboard gives it its time again.
   await page.clock.runFor(7_900);
   await page.keyboard.press("Tab");
