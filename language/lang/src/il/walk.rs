@@ -5,7 +5,7 @@ use super::said::{ACCUMULATOR, BOOL, NUMBER, constant};
 use super::stack::more_inputs;
 use crate::ast::{Instr, Operand, Stmt};
 use crate::diagnostics::{Code, Span, Word};
-use crate::list::{Acc, Changes, Does, Machine, Run, Says, Waiting};
+use crate::list::{Acc, Changes, Defers, Does, Machine, Run, Says, Waiting};
 use crate::operators::Op;
 use crate::typed::build::{Builder, Target};
 use crate::typed::{Base, Compare, Expr, ExprKind, Standard, Stmt as Made, StmtKind, Store};
@@ -148,6 +148,10 @@ impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
         if let Some(Stmt::Instr(instr)) = body.get(at) {
             self.instr(instr);
         }
+    }
+
+    fn close_line(&mut self, span: Span) {
+        self.close(span);
     }
 
     fn before_own(&mut self, changes: &Changes) {

@@ -3,20 +3,13 @@
 //! An expression is read again at each use, so whatever may change what it reads has to find it put aside: in a
 //! variable that is new at each call.
 
-use super::{Acc, Machine};
+use super::{Acc, Changes, Machine};
 use crate::diagnostics::{Code, Span};
 use crate::typed::build::{Argument, Given, Section, Target, Traits};
 use crate::typed::{Expr, ExprKind, Index, Kind, Place, Root, Stmt, StmtKind, TypeId};
 
 /// Operations in one expression, before a part of it is put aside.
 const MOST_LINKS: u32 = 40;
-
-/// What a statement may change.
-pub(crate) enum Changes<'p> {
-    /// So many cells from this one on.
-    Cells(&'p Place, u32),
-    Anything,
-}
 
 impl<'t, 'f, M: Machine<'t, 'f>> Accumulator<'t, 'f> for M {}
 

@@ -4,38 +4,14 @@ use super::accumulator::Accumulator;
 use super::defer::Defers;
 use super::flow::Flow;
 use super::labels::{Passes, needed};
+use super::says::Says;
 use super::stack::{Pushes, Stack};
 use super::{Acc, Machine};
-use crate::diagnostics::{Code, Span};
+use crate::diagnostics::Code;
 use crate::operators::Op;
 use std::borrow::Cow;
 use std::collections::HashSet;
 use unoclp_core::isa::Opcode;
-
-/// What a line is to the machine.
-pub(crate) enum Says<'l> {
-    /// A label, by the name that jumps have for it.
-    Label(Cow<'l, str>, Span),
-    /// `)`
-    Close(Span),
-    /// What is wrong has been told; so many parentheses are lost with it, where that is known.
-    Wrong(Option<usize>),
-    Does(Does<'l>),
-}
-
-/// An instruction.
-pub(crate) struct Does<'l> {
-    /// None of a function or a block by its name.
-    pub op: Option<Op>,
-    pub conditional: bool,
-    /// The label that it may go to.
-    pub label: Option<Cow<'l, str>>,
-    /// How many results below the top of the stack it takes.
-    pub pops: usize,
-    /// The operator with its modifiers, and the whole line.
-    pub span: Span,
-    pub whole: Span,
-}
 
 impl<'t, 'f, M: Machine<'t, 'f>> Lines<'t, 'f> for M {}
 

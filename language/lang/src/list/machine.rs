@@ -1,6 +1,7 @@
 //! What the machine asks of the reader of a text.
 
-use super::{Changes, Defers, Run, Says, Waiting};
+use super::run::{Changes, Run, Waiting};
+use super::says::Says;
 use crate::diagnostics::{Code, Span, Word};
 use crate::typed::build::{Builder, Target};
 use crate::typed::{Expr, Stmt};
@@ -47,9 +48,7 @@ pub(crate) trait Machine<'t, 'f>: Sized {
     fn line(&mut self, at: usize);
 
     /// `)`
-    fn close_line(&mut self, span: Span) {
-        self.close(span);
-    }
+    fn close_line(&mut self, span: Span);
 
     /// Before something changes: puts aside what the reader itself holds.
     fn before_own(&mut self, _changes: &Changes) {}

@@ -4,7 +4,7 @@ use super::labels::{If, Labels};
 use crate::diagnostics::Span;
 use crate::operators::Op;
 use crate::typed::build::Target;
-use crate::typed::{Expr, Stmt};
+use crate::typed::{Expr, Place, Stmt};
 use std::collections::HashSet;
 
 /// What the accumulator holds.
@@ -28,6 +28,13 @@ pub(crate) enum Waiting {
     Function(String, bool),
     /// For ALD, OLD, or a counter with more than one input.
     Pushed,
+}
+
+/// What a statement may change.
+pub(crate) enum Changes<'p> {
+    /// So many cells from this one on.
+    Cells(&'p Place, u32),
+    Anything,
 }
 
 /// A result that waits.
