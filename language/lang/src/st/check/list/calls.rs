@@ -2,8 +2,7 @@
 
 use super::super::super::ast::{Arg, Instruction, Line, NodeKind};
 use super::super::Checker;
-use super::operators::accumulated;
-use super::walk::Walk;
+use super::walk::{Walk, accumulated};
 use crate::diagnostics::{Code, Span};
 use crate::list::{Acc, Accumulator, Edges, Flow, Machine, declare_edge, named};
 use crate::operators::Op;

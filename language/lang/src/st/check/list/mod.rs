@@ -16,7 +16,6 @@ mod walk;
 use super::super::ast::Line;
 use super::Checker;
 use crate::list::{Flow, Lines, Run, Stack};
-use crate::operators::Op;
 use crate::typed::Stmt;
 use unoclp_point::{Kind, Maker, read};
 use walk::Walk;
@@ -45,9 +44,4 @@ impl Checker<'_, '_, '_> {
         walk.end_of_ifs();
         walk.statements()
     }
-}
-
-/// Whether this operator loads.
-fn is_load(line: Option<&Line>) -> bool {
-    matches!(line, Some(Line::Does(one)) if one.spelling.is_some_and(|s| s.op == Op::Load))
 }

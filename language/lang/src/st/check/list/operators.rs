@@ -1,8 +1,7 @@
 //! What each line does with the accumulator.
 
-use super::super::super::ast::{Arg, Instruction, Node, NodeKind};
-use super::is_load;
-use super::walk::Walk;
+use super::super::super::ast::{Arg, Instruction, Line, Node, NodeKind};
+use super::walk::{Walk, accumulated};
 use crate::diagnostics::{Code, Span};
 use crate::list::{
     Acc, Accumulator, Branches, Decides, Defers, Flow, Machine, Opens, Stack, Waiting,
@@ -392,12 +391,7 @@ impl Walk<'_, '_, '_, '_> {
     }
 }
 
-/// What an operation takes from the accumulator.
-pub(super) fn accumulated(expr: Expr) -> Argument {
-    Argument {
-        name: None,
-        out: false,
-        at: expr.at,
-        given: Given::Value(expr),
-    }
+/// Whether this operator loads.
+fn is_load(line: Option<&Line>) -> bool {
+    matches!(line, Some(Line::Does(one)) if one.spelling.is_some_and(|s| s.op == Op::Load))
 }

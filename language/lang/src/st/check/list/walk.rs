@@ -2,11 +2,10 @@
 
 use super::super::super::ast::Line;
 use super::super::Checker;
-use super::operators::accumulated;
 use crate::diagnostics::{Code, Severity, Span, Word};
 use crate::list::{Acc, Defers, Does, Machine, Run, Says, Waiting};
 use crate::operators::Op;
-use crate::typed::build::{Builder, Target};
+use crate::typed::build::{Argument, Builder, Given, Target};
 use crate::typed::{Expr, ExprKind, Stmt};
 
 pub(super) struct Walk<'c, 'a, 't, 'f> {
@@ -117,5 +116,15 @@ impl<'t, 'f> Machine<'t, 'f> for Walk<'_, '_, 't, 'f> {
         if let Acc::Value(expr) = &self.run.acc {
             self.run.unused = Some(expr.at);
         }
+    }
+}
+
+/// What an operation takes from the accumulator.
+pub(super) fn accumulated(expr: Expr) -> Argument {
+    Argument {
+        name: None,
+        out: false,
+        at: expr.at,
+        given: Given::Value(expr),
     }
 }
