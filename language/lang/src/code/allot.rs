@@ -37,6 +37,9 @@ pub(super) fn allot(
     for point in &uses.codes {
         allotter.seats.take(Seat::At(*point));
     }
+    if let Some(now) = flat.now {
+        allotter.seats.of.insert(now, Seat::Now);
+    }
     allotter.points(tree, uses);
     allotter.blocks(flat, uses);
     allotter.rows(flat, uses);
@@ -253,12 +256,6 @@ impl Allotter<'_> {
             let of = |part: u32| flat.cells.get((cell + part) as usize);
             let kept = of(0).is_some_and(|held| held.retain);
             let block = called.block;
-            if called.count > 1 && block.has_one_call() {
-                let (name, at) = self.place(cell);
-                let name = name.split('.').next().unwrap_or_default().to_owned();
-                self.found
-                    .tell(Code::BoardTwice, at, [name.into(), block.name().into()]);
-            }
             if kept && (block.is_timer() || block.is_edge()) {
                 let (_, at) = self.place(cell);
                 self.found

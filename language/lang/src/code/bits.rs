@@ -14,7 +14,7 @@ use unoclp_point::Address;
 fn xor(seat: Seat, negated: bool) -> Option<(Opcode, u8)> {
     match seat {
         Seat::At(point) => Some((point.xor(negated)?, point.number())),
-        Seat::Timer(_) | Seat::Elapsed(_) => None,
+        Seat::Timer(_) | Seat::Elapsed(_) | Seat::Now => None,
     }
 }
 
@@ -195,7 +195,7 @@ impl Coder<'_, '_> {
                     self.pen.numbered(opcode, point.number(), cell);
                 }
             }
-            Seat::Elapsed(_) => {}
+            Seat::Elapsed(_) | Seat::Now => {}
         }
     }
 

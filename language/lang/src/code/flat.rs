@@ -26,6 +26,8 @@ pub(super) struct Flat {
     /// The labels where the program ends, which RETURN leads to.
     pub leaves: HashSet<u32>,
     pub loops: Vec<Turns>,
+    /// The cell that reads as the time stamp of the scan, ms, where something asks for it.
+    pub now: Option<u32>,
     /// Where the cells of each call begin, in their order, and the unit that is called.
     pub calls: Vec<(u32, u32)>,
 }

@@ -12,6 +12,7 @@
 //! - `lacks`: types and functions that the board lacks, told before all else
 //! - `flat`: steps without calls; `inline`, `calls`, `values`, `loops`, `pure`: the way there
 //! - `merge`: what is put aside and used once goes where it is used; inputs of timers and counters to their calls
+//! - `again`: timers that are called more than once
 //! - `counts`: numbers of counters, which are wider than their type
 //! - `uses`: what is done with each cell; `allot`: its place; `allotter`: what is too little; `seats`: markers, registers, timers, counters
 //! - `ranges`: which values an expression may have; `fails`: whether it may set S 04; `operand`: what an operation takes as
@@ -25,6 +26,7 @@
 //! - `pen`: what acc and value hold; `variables`, `noting`, `traces`: what is shown of it while it runs
 //! - `finish`: labels, first values, what is kept, the cost of loops
 
+mod again;
 mod allot;
 mod allotter;
 mod arithmetic;
@@ -189,7 +191,9 @@ fn lower(
         return;
     }
     merge::merge(&mut flat, own);
+    again::reset(&mut flat);
     merge::gather(&mut flat);
+    again::keep(&mut flat);
     counts::mark(&mut flat);
     let uses = uses::Uses::of(&flat);
     let seats = allot::allot(tree, &flat, &uses, board, found);

@@ -10,6 +10,9 @@ use crate::typed::{Base, Binary, Convert, Expr, ExprKind, Place, Unary, Width};
 use unoclp_core::isa::{Opcode, Operand, Value as Taken};
 use unoclp_point::Address;
 
+/// The system reading that is the time stamp of the scan.
+const TIME_STAMP: u8 = 2;
+
 impl Coder<'_, '_> {
     /// Brings the first into value, and the second to where an operation can take it from.
     pub(super) fn pair(&mut self, a: &Expr, b: &Expr) -> Taken {
@@ -124,6 +127,10 @@ impl Coder<'_, '_> {
             Some(Seat::At(Address::Outputs(_))) => self.pen.changes_value(Opcode::LoadOutputs),
             Some(Seat::Elapsed(timer)) => {
                 self.pen.of_timer(Opcode::LoadTimer, timer, cell);
+                self.pen.holds = None;
+            }
+            Some(Seat::Now) => {
+                self.pen.numbered(Opcode::LoadSystem, TIME_STAMP, cell);
                 self.pen.holds = None;
             }
             _ => self.number(Opcode::Load, 0),

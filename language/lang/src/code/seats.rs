@@ -16,6 +16,8 @@ pub(super) enum Seat {
     Timer(usize),
     /// Its elapsed time.
     Elapsed(usize),
+    /// The time stamp of the scan, ms.
+    Now,
 }
 
 /// All of it.

@@ -190,6 +190,7 @@ impl Seat {
             Seat::At(address) => address,
             Seat::Timer(index) => Address::TimerQ(timer(index)?),
             Seat::Elapsed(index) => Address::Elapsed(timer(index)?),
+            Seat::Now => return None,
         })
     }
 }

@@ -333,16 +333,6 @@ macro_rules! st_rows {
         "store it before the end: {0} := …;"
         "a função `{0}` nunca guarda o seu resultado"
         "guarde-o antes do fim: {0} := …;";
-    178 StCalledTwice Error
-        "`{0}` is called again here, but a program can call an instance only once"
-        "declare another instance: {0}2 : {1};"
-        "`{0}` é chamado outra vez aqui, mas um programa só pode chamar uma instância uma vez"
-        "declare outra instância: {0}2 : {1};";
-    179 StCalledInLoop Error
-        "`{0}` is called in a loop, but {1} works once in a scan"
-        "call it before the loop, and use its outputs in the loop"
-        "`{0}` é chamado em um laço, mas {1} trabalha uma vez por varredura"
-        "chame-o antes do laço e use as saídas dele dentro do laço";
     180 StTypeCalled Error
         "{0} is a function block type; a call needs an instance"
         "declare one, {1} : {0}; and call it: {1}(…);"
@@ -393,11 +383,6 @@ macro_rules! st_rows {
         "store the values that matter in a variable with RETAIN"
         "a placa não consegue guardar um {0} na falta de energia"
         "guarde os valores que importam em uma variável com RETAIN";
-    206 BoardTwice Error
-        "`{0}` runs at more than one place, but the board's {1} can run at one only"
-        "call the block that contains it only once, or declare another instance of it"
-        "`{0}` roda em mais de um lugar, mas o {1} da placa só pode rodar em um"
-        "chame só uma vez o bloco que o contém, ou declare outra instância";
     207 BoardLoop Error
         "the jumps of this loop cost {0}, but a scan can spend {1}"
         "let it run {2} times at most, or do a part of the work in each scan"

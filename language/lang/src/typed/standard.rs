@@ -232,11 +232,6 @@ impl Standard {
         matches!(self, Standard::RTrig | Standard::FTrig)
     }
 
-    /// Whether an instance may be called at one place alone: a timer of the board is a place in its program.
-    pub const fn has_one_call(self) -> bool {
-        self.is_timer()
-    }
-
     /// Whether it is one of the board's timers.
     pub const fn is_timer(self) -> bool {
         matches!(

@@ -122,19 +122,94 @@ z := b.CV;
 END_PROGRAM
 ";
 
-#[test]
-fn counters_are_called_again() {
-    let made = compiled(AGAIN, TextLanguage::St);
-    assert_eq!(errors(&made), None);
+/// Timers that are called again: in branches, in loops, with presets of their own, and asked between the calls.
+const TIMERS: [&str; 4] = [
+    "
+VAR t : TON; step, n : INT; q : BOOL; x, y : TIME; END_VAR
+CASE step OF
+  0: t(IN := %IX1, PT := T#50ms);
+  1: t(IN := NOT %IX2, PT := T#20ms);
+ELSE t(IN := TRUE, PT := T#5ms);
+END_CASE;
+q := t.Q;
+IF t.Q THEN step := (step + 1) MOD 3; t(IN := FALSE); END_IF;
+x := t.ET;
+%QX1 := q;
+",
+    "
+VAR t : TOF; u : TP; v : TON; i : INT; p, q, r : BOOL; x, y, z : TIME; END_VAR
+FOR i := 1 TO 3 DO
+  t(IN := %IX1 AND i = 2, PT := T#30ms);
+  IF i <> 1 THEN u(IN := %IX2 XOR i = 3, PT := T#20ms); END_IF;
+END_FOR;
+IF %IX3 THEN t(IN := u.Q); u(PT := T#70ms); END_IF;
+v(IN := %IX1);
+v(IN := %IX1 OR %IX2, PT := x);
+x := t.ET;
+y := u.ET;
+z := v.ET;
+p := t.Q; q := u.Q; r := v.Q;
+%QX1 := t.Q XOR u.Q;
+%QX2 := v.Q;
+",
+    "
+FUNCTION_BLOCK Late
+VAR_INPUT on : BOOL; after : TIME; END_VAR
+VAR_OUTPUT is : BOOL; END_VAR
+VAR t : TON; u : TOF; END_VAR
+t(IN := on, PT := after);
+u(IN := t.Q, PT := after);
+is := u.Q;
+END_FUNCTION_BLOCK
+PROGRAM main
+VAR a, b : Late; n : INT; p, q : BOOL; END_VAR
+a(on := %IX1, after := T#20ms);
+p := a.is;
+IF %IX3 THEN a(on := %IX2, after := -T#1ms); END_IF;
+b(on := a.is, after := T#15ms);
+q := a.is XOR b.is;
+%QX1 := q;
+END_PROGRAM
+",
+    "
+VAR t, u : TON; p, q : BOOL; n : INT; x : TIME; END_VAR
+IF %IX2 THEN t(IN := FALSE, PT := T#40ms); END_IF;
+t(IN := %IX1, PT := T#40ms);
+p := t.Q;
+IF t.Q THEN t(IN := FALSE); n := n + 1; END_IF;
+x := t.ET;
+IF %IX3 THEN u(IN := FALSE, PT := T#5ms); ELSE u(IN := %IX4); END_IF;
+q := u.Q AND u.IN;
+%QX1 := t.Q OR q;
+",
+];
+
+/// A text does on the core what it does in the interpreter, whatever comes in.
+fn stays_alike(text: &str, step: u32) {
+    let made = compiled(text, TextLanguage::St);
+    assert_eq!(errors(&made), None, "{text}");
     let places = made.places();
     let (tree, (mut checked, _)) = (made.tree.unwrap(), made.program.unwrap());
     with_plc(&mut checked, |plc| {
         let mut twins = Twins::new(&tree, &places);
         let random = &mut Random(7);
         for scan in 0..2_000 {
-            let same = twins.scan(plc, scan * 10);
-            assert_eq!(same, Ok(()), "scan {scan}");
+            let same = twins.scan(plc, scan * step);
+            assert_eq!(same, Ok(()), "scan {scan} of{text}");
             twins.stir(plc, random);
         }
     });
+}
+
+#[test]
+fn timers_are_called_again() {
+    for text in TIMERS {
+        stays_alike(text, 3);
+        stays_alike(text, 10);
+    }
+}
+
+#[test]
+fn counters_are_called_again() {
+    stays_alike(AGAIN, 10);
 }

@@ -91,9 +91,10 @@ struct Author {
     depth: usize,
     /// Loops so far: each has a variable of its own.
     loops: usize,
-    in_loop: bool,
     /// Blocks that are still to be called.
     blocks: Vec<&'static str>,
+    /// Blocks that have been.
+    called: Vec<&'static str>,
 }
 
 /// The program of this seed, of about so many statements outside of others.
@@ -103,8 +104,8 @@ pub fn typed_program(seed: u64, statements: usize) -> String {
         text: String::new(),
         depth: 0,
         loops: 0,
-        in_loop: false,
         blocks: BLOCKS.to_vec(),
+        called: Vec::new(),
     };
     for at in (1..BLOCKS.len()).rev() {
         let other = author.random.below(at + 1);

@@ -19,12 +19,6 @@ impl Author {
         self.depth -= 1;
     }
 
-    fn loop_body(&mut self, count: usize) {
-        let was = std::mem::replace(&mut self.in_loop, true);
-        self.body(count);
-        self.in_loop = was;
-    }
-
     pub(super) fn statement(&mut self) {
         let deep = 1 + self.random.below(3);
         match self.random.below(26) {
@@ -81,7 +75,7 @@ impl Author {
             18 if self.depth < 3 => self.choice(),
             19 | 20 if self.loops < 2 && self.depth < 3 => self.counted_loop(),
             21 if self.loops < 2 && self.depth < 3 => self.conditional_loop(),
-            22..=24 if !self.in_loop => self.call(),
+            22..=24 => self.call(),
             _ => {
                 let (to, from) = (self.name("DINT"), self.name("DINT"));
                 self.line(&format!("{to} := {from} + 1;"));
@@ -142,13 +136,13 @@ impl Author {
             false => (to, ""),
         };
         self.line(&format!("FOR k{number} := {from} TO {to}{by} DO"));
-        self.loop_body(1);
+        self.body(1);
         if self.random.percent(40) {
             let condition = self.truth(1);
             let word = self.random.pick(&["EXIT", "CONTINUE"]);
             self.line(&format!("  IF {condition} THEN {word}; END_IF;"));
         }
-        self.loop_body(1);
+        self.body(1);
         self.line("END_FOR;");
     }
 
@@ -161,7 +155,7 @@ impl Author {
             true => self.line("REPEAT"),
             false => self.line(&format!("WHILE c < 4 AND {condition} DO")),
         }
-        self.loop_body(1);
+        self.body(1);
         self.line("  c := c + 1;");
         match repeat {
             true => self.line(&format!("UNTIL c >= 3 OR {condition} END_REPEAT;")),
@@ -169,10 +163,19 @@ impl Author {
         }
     }
 
-    /// The one call of a block, and perhaps what takes its values.
+    /// A call of a block, often of one that has been called already, and perhaps what takes its values.
     fn call(&mut self) {
-        let Some(block) = self.blocks.pop() else {
-            return;
+        let again = self.random.percent(40) && !self.called.is_empty();
+        let block = match (again, self.blocks.pop()) {
+            (false, Some(block)) => {
+                self.called.push(block);
+                block
+            }
+            (_, left) => {
+                self.blocks.extend(left);
+                let at = self.random.below(self.called.len());
+                self.called[at]
+            }
         };
         let name = format!("x{}", block.to_lowercase());
         let inputs = match block {

@@ -4,12 +4,12 @@
 //! done to a timer or a counter beside its call.
 
 use super::arguments::{Argument, Params};
-use super::builder::{BlockCall, Builder, Instance};
+use super::builder::Builder;
 use super::named::{Param, Section};
 use super::places::Target;
 use crate::diagnostics::{Code, Span};
 use crate::typed::standard::{Role, Standard};
-use crate::typed::{Base, Call, Expr, ExprKind, Input, Kind, Order, Root, Stmt, StmtKind, TypeId};
+use crate::typed::{Base, Call, Expr, ExprKind, Input, Kind, Order, Stmt, StmtKind, TypeId};
 
 impl Builder<'_, '_> {
     /// A call of an instance of a block: its inputs, the call, what is read after it.
@@ -78,14 +78,6 @@ impl Builder<'_, '_> {
         if let Some(here) = self.current {
             self.edges.push((here as u32, unit, target.at));
         }
-        let made = BlockCall {
-            instance: self.instance(&target),
-            from: self.current,
-            unit,
-            in_loop: self.loops > 0,
-            at: target.at,
-        };
-        self.calls.push(made);
         let mut call = Call {
             unit,
             instance: Some(target.place.clone()),
@@ -106,14 +98,6 @@ impl Builder<'_, '_> {
         all
     }
 
-    fn instance(&self, target: &Target) -> Instance {
-        let scope = match target.place.root {
-            Root::Static => None,
-            _ => self.current,
-        };
-        (scope, target.place.root, target.place.offset)
-    }
-
     fn standard(
         &mut self,
         block: Standard,
@@ -125,20 +109,6 @@ impl Builder<'_, '_> {
             if let Some((_, part)) = block.part(&name.to_uppercase()) {
                 part.0.clone_into(name);
             }
-        }
-        let written = self.written(target.at);
-        let once = block.has_one_call();
-        if once && self.loops > 0 {
-            let words = [written.clone().into(), block.name().into()];
-            self.tell(Code::StCalledInLoop, target.at, words);
-        }
-        let key = self.instance(&target);
-        if let Some(draft) = self.here() {
-            draft.once |= once;
-        }
-        if once && self.called.insert(key, at).is_some() {
-            let words = [written.into(), block.name().into()];
-            self.tell(Code::StCalledTwice, target.at, words);
         }
         let param = |(offset, (name, base, role)): (u32, (&str, Base, Role))| {
             let section = match role {

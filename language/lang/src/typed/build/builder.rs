@@ -26,26 +26,12 @@ pub(crate) struct Draft {
     pub closed: bool,
     /// Of a function: its result is stored somewhere.
     pub gives: bool,
-    /// Something in it has one call in a program.
-    pub once: bool,
     /// A declaration in it is wrong, so that not all of its names are known.
     pub incomplete: bool,
     /// The type of a block's instances.
     pub block: TypeId,
     /// Its constants that have cells: the name, the type and the offset of each.
     pub constants: Vec<(String, TypeId, u32)>,
-}
-
-/// An instance by the unit that has it and its place there; globals are nobody's.
-pub(super) type Instance = (Option<usize>, Root, u32);
-
-/// A call of an instance of a block of the text.
-pub(super) struct BlockCall {
-    pub instance: Instance,
-    pub from: Option<usize>,
-    pub unit: u32,
-    pub in_loop: bool,
-    pub at: Span,
 }
 
 pub(crate) struct Builder<'t, 'f> {
@@ -75,11 +61,8 @@ pub(crate) struct Builder<'t, 'f> {
     pub loops: u32,
     /// The variables that count open loops.
     pub(super) counters: Vec<(Root, u32)>,
-    pub(super) called: HashMap<Instance, Span>,
     /// Inputs that their own units change, by the unit and the offset, which has been told.
     pub(super) inputs_written: HashSet<(Option<usize>, u32)>,
-    /// Calls of blocks of the text, of which some have timers within.
-    pub(super) calls: Vec<BlockCall>,
     pub(super) writes: bool,
     /// Of the unit that is called not all parameters are known.
     pub(super) lenient: bool,
@@ -113,9 +96,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             asked: 0,
             loops: 0,
             counters: Vec::new(),
-            called: HashMap::new(),
             inputs_written: HashSet::new(),
-            calls: Vec::new(),
             writes: false,
             lenient: false,
             hidden: HashSet::new(),
@@ -205,7 +186,6 @@ impl<'t, 'f> Builder<'t, 'f> {
             result: None,
             closed: kind != UnitKind::Block,
             gives: false,
-            once: false,
             incomplete: false,
             block,
             constants: Vec::new(),

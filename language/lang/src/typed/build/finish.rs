@@ -3,7 +3,6 @@
 use super::builder::Builder;
 use crate::diagnostics::{Code, Span};
 use crate::typed::{Tree, UnitKind};
-use std::collections::HashSet;
 
 /// Calls stand in calls no deeper.
 const MOST_CALLS: u32 = 60;
@@ -12,7 +11,6 @@ impl Builder<'_, '_> {
     /// The tree; none where errors have been told.
     pub fn finish(mut self) -> Option<Tree> {
         self.refuse_circles();
-        self.refuse_second_calls();
         for draft in &self.drafts {
             let unit = &draft.unit;
             let told = self.found.has_errors();
@@ -30,48 +28,6 @@ impl Builder<'_, '_> {
         let units = std::mem::take(&mut self.drafts);
         self.tree.units = units.into_iter().map(|draft| draft.unit).collect();
         (!self.found.has_errors()).then_some(self.tree)
-    }
-
-    /// An instance that has timers or counters within has one call, not in a loop, as these have.
-    fn refuse_second_calls(&mut self) {
-        if self.found.has_errors() {
-            return;
-        }
-        // To the depth of the calls, each turn finds those one further out.
-        loop {
-            let mut more = false;
-            for call in &self.calls {
-                let within = self.drafts.get(call.unit as usize);
-                let once = within.is_some_and(|of| of.once);
-                let Some(caller) = call.from.and_then(|unit| self.drafts.get_mut(unit)) else {
-                    continue;
-                };
-                more |= once && !caller.once;
-                caller.once |= once;
-            }
-            if !more {
-                break;
-            }
-        }
-        let mut seen = HashSet::new();
-        for call in std::mem::take(&mut self.calls) {
-            let draft = self.drafts.get(call.unit as usize);
-            let Some(draft) = draft.filter(|draft| draft.once) else {
-                continue;
-            };
-            let words = || {
-                [
-                    self.written(call.at).into(),
-                    draft.unit.name.as_str().into(),
-                ]
-            };
-            let (first, words) = (seen.insert(call.instance), words());
-            if call.in_loop {
-                self.found.tell(Code::StCalledInLoop, call.at, words);
-            } else if !first {
-                self.found.tell(Code::StCalledTwice, call.at, words);
-            }
-        }
     }
 
     /// No unit may come to call itself.
