@@ -144,34 +144,33 @@ pub(super) fn keep(flat: &mut Flat) {
     if again.is_empty() {
         return;
     }
-    let now = flat.cells.len() as u32;
-    flat.cells
-        .extend([cell(Base::Dint), cell(Base::Dint), cell(Base::Bool)]);
-    flat.now = Some(now);
+    let now = flat.now();
+    let held = [Base::Dint, Base::Bool].map(|base| {
+        flat.cells.push(Cell::own(base));
+        flat.cells.len() as u32 - 1
+    });
     for timer in &again {
         if let Some(began) = flat.cells.get_mut((timer + BEGAN) as usize) {
-            *began = cell(Base::Dint);
+            *began = Cell::own(Base::Dint);
         }
     }
     let body = std::mem::take(&mut flat.body);
-    let keeper = Keeper { again, uses, now };
+    let keeper = Keeper {
+        again,
+        uses,
+        now,
+        held,
+    };
     flat.body = keeper.steps(body);
-}
-
-fn cell(base: Base) -> Cell {
-    Cell {
-        base,
-        initial: Value::zero(base),
-        retain: false,
-        scratch: false,
-    }
 }
 
 struct Keeper {
     again: HashSet<u32>,
     uses: Uses,
-    /// The cell of the time stamp of the scan; those after it hold a preset and IN while a call works.
+    /// The cell of the time stamp of the scan.
     now: u32,
+    /// Those of a preset and of IN while a call works.
+    held: [u32; 2],
 }
 
 impl Keeper {
@@ -206,6 +205,7 @@ impl Keeper {
         Timer {
             cell,
             now: self.now,
+            held: self.held,
             at,
             shows: self.uses.get(cell + ET).is_some_and(|of| of.reads > 0),
         }
@@ -216,6 +216,7 @@ impl Keeper {
 struct Timer {
     cell: u32,
     now: u32,
+    held: [u32; 2],
     at: Span,
     /// Whether something reads ET.
     shows: bool,
@@ -293,7 +294,7 @@ impl Timer {
                 ..preset.clone()
             },
             Some((_, preset)) => {
-                let held = self.now + 1;
+                let [held, _] = self.held;
                 does.push(self.store(held, preset.clone()));
                 read(held, Base::Dint, self.at)
             }
@@ -303,7 +304,7 @@ impl Timer {
         let is_asked_again = matches!(block, Standard::Tp | Standard::Tonr);
         let on = match is_asked_again && input(IN).is_some() && known(&on).is_none() {
             true => {
-                let held = self.now + 2;
+                let [_, held] = self.held;
                 does.push(self.store(held, on));
                 read(held, Base::Bool, self.at)
             }

@@ -15,7 +15,7 @@ pub(super) fn may_fail(expr: &Expr) -> bool {
 
 fn may_fail_itself(expr: &Expr) -> bool {
     match &expr.kind {
-        ExprKind::Constant(_) | ExprKind::Wrong | ExprKind::Compare(..) => false,
+        ExprKind::Constant(_) | ExprKind::Now | ExprKind::Wrong | ExprKind::Compare(..) => false,
         ExprKind::Ordered(..) | ExprKind::Select(_) => false,
         ExprKind::Read(place) => !place.indices.is_empty(),
         ExprKind::Convert(how, _) => matches!(how, Convert::Round | Convert::Cut | Convert::Fit),

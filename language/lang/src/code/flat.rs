@@ -70,6 +70,17 @@ pub(super) enum Does {
     Fail,
 }
 
+impl Flat {
+    /// The cell that reads as the time stamp of the scan.
+    pub(super) fn now(&mut self) -> u32 {
+        let cells = &mut self.cells;
+        *self.now.get_or_insert_with(|| {
+            cells.push(Cell::own(Base::Time));
+            cells.len() as u32 - 1
+        })
+    }
+}
+
 /// The place of one cell.
 pub(super) fn place(cell: u32, at: Span) -> Place {
     Place {
@@ -133,7 +144,7 @@ pub(super) fn both(op: Binary, a: Expr, b: Expr) -> Expr {
 /// The parts of an expression.
 pub(super) fn parts(expr: &Expr) -> Vec<&Expr> {
     match &expr.kind {
-        ExprKind::Constant(_) | ExprKind::Call(_) | ExprKind::Wrong => Vec::new(),
+        ExprKind::Constant(_) | ExprKind::Call(_) | ExprKind::Now | ExprKind::Wrong => Vec::new(),
         ExprKind::Read(place) => place.indices.iter().map(|i| &i.subscript).collect(),
         ExprKind::Convert(_, a) | ExprKind::Unary(_, a) => vec![a],
         ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => vec![a, b],
@@ -146,7 +157,7 @@ pub(super) fn parts(expr: &Expr) -> Vec<&Expr> {
 /// The same, to change them.
 pub(super) fn parts_mut(expr: &mut Expr) -> Vec<&mut Expr> {
     match &mut expr.kind {
-        ExprKind::Constant(_) | ExprKind::Call(_) | ExprKind::Wrong => Vec::new(),
+        ExprKind::Constant(_) | ExprKind::Call(_) | ExprKind::Now | ExprKind::Wrong => Vec::new(),
         ExprKind::Read(place) => place.indices.iter_mut().map(|i| &mut i.subscript).collect(),
         ExprKind::Convert(_, a) | ExprKind::Unary(_, a) => vec![a],
         ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => vec![a, b],

@@ -5,7 +5,7 @@
 use super::flat::{Does, Flat, Step};
 use super::pure;
 use crate::diagnostics::{Code, Found, Span};
-use crate::typed::{Base, Cell, Expr, Order, Place, Stmt, StmtKind, Tree, Value};
+use crate::typed::{Base, Cell, Expr, Order, Place, Stmt, StmtKind, Tree};
 use std::collections::HashMap;
 use unoclp_point::Address;
 
@@ -125,12 +125,7 @@ impl Inliner<'_, '_> {
 
     /// A cell for something between two statements.
     pub(super) fn temporary(&mut self, base: Base) -> u32 {
-        self.flat.cells.push(Cell {
-            base,
-            initial: Value::zero(base),
-            retain: false,
-            scratch: false,
-        });
+        self.flat.cells.push(Cell::own(base));
         self.flat.cells.len() as u32 - 1
     }
 

@@ -18,7 +18,9 @@ impl Coder<'_, '_> {
         let Expr { kind, base, ty, at } = from;
         let again = |kind| Expr { kind, base, ty, at };
         match kind {
-            ExprKind::Constant(_) | ExprKind::Wrong | ExprKind::Call(_) => again(kind),
+            ExprKind::Constant(_) | ExprKind::Now | ExprKind::Wrong | ExprKind::Call(_) => {
+                again(kind)
+            }
             ExprKind::Read(place) => {
                 let place = self.prepare_place(*place);
                 again(ExprKind::Read(Box::new(place)))

@@ -86,6 +86,7 @@ impl Inliner<'_, '_> {
                 let made = self.operands([&three[0], &three[1], &three[2]], frame);
                 ExprKind::Select(Box::new(made))
             }
+            ExprKind::Now => return read(self.flat.now(), from.base, from.at),
             ExprKind::Ordered(op, all) => ExprKind::Ordered(*op, self.all(all, frame)),
             ExprKind::Extra(function, all) => ExprKind::Extra(*function, self.all(all, frame)),
             ExprKind::Mux(which, all) => {

@@ -289,7 +289,7 @@ pub(crate) trait Accumulator<'t, 'f>: Machine<'t, 'f> {
                 return true;
             }
             match &expr.kind {
-                ExprKind::Constant(_) | ExprKind::Wrong | ExprKind::Call(_) => {}
+                ExprKind::Constant(_) | ExprKind::Now | ExprKind::Wrong | ExprKind::Call(_) => {}
                 ExprKind::Read(place) => {
                     rest.extend(place.indices.iter().map(|index| &index.subscript));
                 }

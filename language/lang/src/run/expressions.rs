@@ -1,8 +1,8 @@
 //! What each expression comes to.
 
 use super::{Frame, MOST_DEEP, Machine, Stop, extra};
-use crate::typed::ops;
 use crate::typed::{Call, Expr, ExprKind, Input, Value};
+use crate::typed::{narrow, ops};
 
 impl Machine<'_> {
     pub(super) fn evaluate(&mut self, expr: &Expr, frame: &Frame) -> Result<Value, Stop> {
@@ -20,6 +20,7 @@ impl Machine<'_> {
         let (value, failed) = match &expr.kind {
             ExprKind::Constant(value) => (value.clone(), false),
             ExprKind::Wrong => (Value::zero(expr.base), false),
+            ExprKind::Now => (narrow(expr.base, Value::Int(self.now.into())), false),
             ExprKind::Read(place) => (self.read(place, expr.base, frame)?, false),
             ExprKind::Convert(how, inner) => {
                 let value = self.evaluate(inner, frame)?;

@@ -84,6 +84,8 @@ pub enum ExprKind {
     Mux(Box<Expr>, Vec<Expr>),
     /// A function of the PC alone.
     Extra(Extra, Vec<Expr>),
+    /// When the scan began, ms since the start.
+    Now,
     /// A function of the text; its result is the first cell of its locals.
     Call(Box<Call>),
     /// What is wrong has been told. No finished tree has one.

@@ -59,6 +59,18 @@ pub struct Cell {
     pub scratch: bool,
 }
 
+impl Cell {
+    /// One of the compiler's own, which begins with 0.
+    pub(crate) fn own(base: Base) -> Cell {
+        Cell {
+            base,
+            initial: Value::zero(base),
+            retain: false,
+            scratch: false,
+        }
+    }
+}
+
 /// A variable that lives as long as the program, for whoever shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Symbol {

@@ -19,6 +19,8 @@ fn expression(expr: &Expr, tree: &Tree, faults: &mut Vec<String>) {
     }
     match &expr.kind {
         ExprKind::Wrong => no("wrong"),
+        ExprKind::Now if expr.base != Base::Time => no("a time of another type"),
+        ExprKind::Now => {}
         ExprKind::Constant(value) => {
             let reals = matches!(value, unoclp_lang::typed::Value::Real(_));
             let texts = matches!(value, unoclp_lang::typed::Value::Text(_));

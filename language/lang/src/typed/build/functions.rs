@@ -27,6 +27,8 @@ enum Does {
     Limit,
     Select,
     Mux,
+    /// The time of the scan, of no operand.
+    Now,
     /// Of reals.
     Real(Extra),
     /// Of texts.
@@ -69,6 +71,7 @@ const TABLE: &[Row] = &[
     Row("LIMIT", &["MN", "IN", "MX"], Does::Limit),
     Row("SEL", &["G", "IN0", "IN1"], Does::Select),
     Row("MUX", &["K", "IN0", "IN1"], Does::Mux),
+    Row("TIME", &[], Does::Now),
     Row("SIN", IN, Does::Real(Extra::Sin)),
     Row("COS", IN, Does::Real(Extra::Cos)),
     Row("TAN", IN, Does::Real(Extra::Tan)),
@@ -280,6 +283,12 @@ impl Builder<'_, '_> {
                 self.extreme(Binary::Min, most, high, at)
             }
             (Does::Select, Some(which), Some(a), Some(b)) => self.select(which, a, b, at),
+            (Does::Now, ..) => Expr {
+                kind: ExprKind::Now,
+                base: Base::Time,
+                ty: TypeId::of(Base::Time),
+                at,
+            },
             (Does::Real(extra), Some(a), ..) => self.of_real(name, extra, a, at),
             _ => self.wrong(at),
         };
