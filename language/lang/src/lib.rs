@@ -1,8 +1,8 @@
 //! The languages: Instruction List to the numeric code and back, the typed languages to the typed tree.
 //!
 //! The way of a text in Instruction List through this crate: `lexer` (bytes → words), `parser` (words → syntax
-//! tree), `names` and `points` (what names mean), `il` (a run of each body on expressions, from which the typed tree is
-//! made). [`to_il`] and [`to_st()`] go the other way.
+//! tree), `names` and `points` (what names mean), `il` (what each line does on the machine of `list`, from whose run on
+//! expressions the typed tree is made). [`to_il`] and [`to_st()`] go the other way.
 //!
 //! The way of a text in a typed language ([`check`]): `st` (Structured Text), `iscl` (InterSCL) and `lce` (LCE), the last
 //! two on `small` (bytes → words → syntax tree → names and types), [`typed`]
@@ -33,11 +33,11 @@ mod emit;
 mod given;
 mod il;
 mod iscl;
-mod jumps;
 mod lacking;
 mod languages;
 mod lce;
 mod lexer;
+mod list;
 mod literal;
 mod messages;
 mod names;

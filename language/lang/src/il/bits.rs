@@ -1,9 +1,10 @@
 //! What works on the accumulator: loads and operations with an operand.
 
 use super::said::{ACCUMULATOR, OPERAND, constant};
-use super::walk::{Acc, Walk};
+use super::walk::Walk;
 use crate::ast::Instr;
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Edges, Machine, Stack};
 use crate::operators::Op;
 use crate::typed::{Base, Binary, Expr};
 use crate::words::operator;
@@ -27,14 +28,14 @@ pub(super) fn name(op: Op) -> &'static str {
 
 impl Walk<'_, '_, '_> {
     pub(super) fn load(&mut self, instr: &Instr) {
-        self.decided = None;
+        self.run.decided = None;
         self.warn_unused();
-        self.unused = Some(instr.whole);
-        let inverted = std::mem::take(&mut self.inverts) != instr.negated;
-        self.links = 0;
+        self.run.unused = Some(instr.whole);
+        let inverted = std::mem::take(&mut self.run.inverts) != instr.negated;
+        self.run.links = 0;
         let Some(operand) = instr.operands.first() else {
             self.missing("LD", instr.span);
-            self.acc = Acc::Wrong;
+            self.run.acc = Acc::Wrong;
             return;
         };
         self.only(instr, 1);
@@ -43,18 +44,18 @@ impl Walk<'_, '_, '_> {
             expr = expr.map(|expr| self.inverted(expr, operand.span));
         }
         if instr.edge.is_some() {
-            let unused = self.unused;
+            let unused = self.run.unused;
             expr = expr.and_then(|expr| {
                 let bit = self.as_bit(expr, ACCUMULATOR, instr.span)?;
-                self.edge_of(bit, instr)
+                self.edge_of(bit, instr.span)
             });
-            self.unused = unused;
+            self.run.unused = unused;
         }
         self.hold(expr);
     }
 
     /// The opposite: of a number, each bit's.
-    pub(super) fn inverted(&mut self, expr: Expr, span: Span) -> Expr {
+    pub(super) fn opposite(&mut self, expr: Expr, span: Span) -> Expr {
         if expr.base == Base::Bool {
             return self.front.builder.not(expr, span);
         }
@@ -66,9 +67,9 @@ impl Walk<'_, '_, '_> {
     }
 
     pub(super) fn not(&mut self, instr: &Instr) {
-        if let Some(state) = self.decided {
-            self.unused = None;
-            self.decided = Some(!state);
+        if let Some(state) = self.run.decided {
+            self.run.unused = None;
+            self.run.decided = Some(!state);
             return;
         }
         let expr = self.take("NOT", instr.span);
@@ -79,7 +80,7 @@ impl Walk<'_, '_, '_> {
     /// AND, OR, XOR, arithmetic and comparisons, at once or deferred.
     pub(super) fn operate(&mut self, instr: &Instr) {
         if let Some(open) = instr.open {
-            return self.defer(instr, open);
+            return self.open(instr, open);
         }
         let mut left = self.take(name(instr.op), instr.span);
         let Some(operand) = instr.operands.first() else {
@@ -98,7 +99,7 @@ impl Walk<'_, '_, '_> {
         if instr.edge.is_some() {
             let bit = self.value(operand);
             let bit = bit.and_then(|bit| self.as_bit(bit, ACCUMULATOR, instr.span));
-            let bit = bit.and_then(|bit| self.edge_of(bit, instr));
+            let bit = bit.and_then(|bit| self.edge_of(bit, instr.span));
             let made = self.both(left, bit, instr.op, false, instr.whole);
             return self.linked(made);
         }
@@ -175,8 +176,8 @@ impl Walk<'_, '_, '_> {
         let Some(bit) = self.take_bit(operator(opcode), instr.span) else {
             return;
         };
-        let changed = self.edge_of(bit, instr);
-        self.links = 0;
+        let changed = self.edge_of(bit, instr.span);
+        self.run.links = 0;
         self.hold(changed);
     }
 

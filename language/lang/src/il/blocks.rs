@@ -1,15 +1,14 @@
 //! The Twido's blocks, `BLK %TM1 … OUT_BLK … END_BLK`, and inputs by operator: `CU C1`.
 
-use super::accumulator::Changes;
 use super::counters::Inputs;
-use super::edges::given;
 use super::first::part;
 use super::operands::Is;
 use super::timers::Preset;
 use super::used::COUNTER_PRESET;
-use super::walk::{Acc, Block, Walk};
+use super::walk::{Block, Walk};
 use crate::ast::{Instr, Operand};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Changes, Machine, named};
 use crate::typed::{Order, Stmt, StmtKind};
 use unoclp_core::isa::Opcode;
 
@@ -20,7 +19,7 @@ impl Walk<'_, '_, '_> {
     pub(super) fn begin_block(&mut self, instr: &Instr) {
         self.end_of_blocks();
         self.warn_unused();
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
         let Some(operand) = instr.operands.first() else {
             return self.missing("BLK", instr.span);
         };
@@ -92,7 +91,7 @@ impl Walk<'_, '_, '_> {
             _ => &mut block.reset,
         };
         *place = Some(expr);
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
     }
 
     /// `IN`, `CU`, `CD`: within a block, or with the timer or counter as operand.
@@ -135,12 +134,12 @@ impl Walk<'_, '_, '_> {
                 self.count(operand, &target, inputs, span);
             }
             (Is::Block(target, block), "CLK") if block.is_edge() => {
-                self.run_block(&target, vec![given("CLK", bit)], span);
+                self.run_block(&target, vec![named("CLK", bit)], span);
             }
             (Is::Wrong, _) => {}
             _ => self.not_callable(operand),
         }
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
     }
 
     pub(super) fn out_block(&mut self, instr: &Instr) {
@@ -148,7 +147,7 @@ impl Walk<'_, '_, '_> {
             Some(block) if !block.written => self.write_block(),
             _ => self.misplaced("OUT_BLK", instr.span),
         }
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
     }
 
     pub(super) fn end_block(&mut self, instr: &Instr) {
@@ -159,7 +158,7 @@ impl Walk<'_, '_, '_> {
         }
         self.warn_unused();
         self.block = None;
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
     }
 
     fn misplaced(&mut self, word: &str, span: Span) {
@@ -200,11 +199,11 @@ impl Walk<'_, '_, '_> {
     fn write_block(&mut self) {
         let Some(block) = &mut self.block else { return };
         block.written = true;
-        self.unused = None;
+        self.run.unused = None;
         let (operand, span, name) = (block.operand.clone(), block.span, block.name.clone());
         let (start, down) = (block.start.take(), block.down.take());
         let (reset, set) = (block.reset.take(), block.set.take());
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
         let Some((target, standard)) = block.block.clone() else {
             return;
         };

@@ -1,11 +1,11 @@
 //! CAL and what it may call.
 
-use super::edges::given;
 use super::operands::Is;
 use super::said::{ACCUMULATOR, BOOL, NUMBER, Words, constant};
-use super::walk::{Acc, Walk};
+use super::walk::Walk;
 use crate::ast::{Instr, Operand, Param};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Changes, Machine, named};
 use crate::typed::build::{Argument, Target};
 use crate::typed::{Base, Expr, Standard, Stmt, StmtKind};
 
@@ -19,7 +19,7 @@ impl<'a> Walk<'_, 'a, '_> {
         params.extend(instr.operands.iter().skip(1).map(positional));
         let span = instr.whole;
         if !instr.conditional {
-            self.unused = None;
+            self.run.unused = None;
             return self.call_operand(operand, &params, span);
         }
         let Some(expr) = self.take("CALC", instr.span) else {
@@ -32,13 +32,13 @@ impl<'a> Walk<'_, 'a, '_> {
             condition = self.front.builder.not(condition, instr.span);
         }
         // What waits is put aside on both ways.
-        self.before(&super::accumulator::Changes::Anything, false);
-        self.made.push(Vec::new());
+        self.before(&Changes::Anything, false);
+        self.run.made.push(Vec::new());
         self.call_operand(operand, &params, span);
-        let body = self.made.pop().unwrap_or_default();
+        let body = self.run.made.pop().unwrap_or_default();
         let kind = StmtKind::If(vec![(condition, body)], Vec::new());
         self.push(Stmt { kind, at: span });
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
     }
 
     fn call_operand(&mut self, operand: &Operand, params: &[Param], span: Span) {
@@ -62,7 +62,7 @@ impl<'a> Walk<'_, 'a, '_> {
             Is::Wrong => {}
             _ => self.not_callable(operand),
         }
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
     }
 
     /// What is called. A name that nothing declares is no marker here.
@@ -109,7 +109,7 @@ impl<'a> Walk<'_, 'a, '_> {
         let name = self.spelled(operand);
         let clock = match clock {
             Some(clock) => match self.param_bit(clock) {
-                Some(bit) => vec![given("CLK", bit)],
+                Some(bit) => vec![named("CLK", bit)],
                 None => return,
             },
             None if self.front.names.stores(&name, "CLK") => Vec::new(),
@@ -132,10 +132,7 @@ impl<'a> Walk<'_, 'a, '_> {
     pub(super) fn run_block(&mut self, target: &Target, given: Vec<Argument>, span: Span) {
         let body = self.front.builder.block(target.clone(), given, span);
         let cells = self.front.builder.tree.types.get(target.ty).cells;
-        self.before(
-            &super::accumulator::Changes::Cells(&target.place, cells),
-            false,
-        );
+        self.before(&Changes::Cells(&target.place, cells), false);
         body.into_iter().for_each(|one| self.push(one));
     }
 

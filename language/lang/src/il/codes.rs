@@ -1,24 +1,15 @@
 //! CODE: an instruction of the board by its numeric codes, with its operand lines.
 
-use super::accumulator::Changes;
-use super::walk::{Acc, Walk};
-use crate::ast::{Instr, Stmt};
-use crate::code::begins;
+use super::walk::Walk;
+use crate::ast::Instr;
 use crate::diagnostics::Code;
-use crate::operators::Op;
-use crate::typed::{Base, Codes, Stmt as Made, StmtKind};
+use crate::list::{Machine, Verbatim};
 use unoclp_core::isa::{Kind, Row, TABLE};
 
 impl Walk<'_, '_, '_> {
     pub(super) fn code(&mut self, instr: &Instr) {
         let span = instr.whole;
-        self.undecided();
-        self.unused = None;
         self.front.writes = true;
-        let before = match std::mem::replace(&mut self.acc, Acc::Empty) {
-            Acc::Value(expr) if expr.base == Base::Bool => Some(expr),
-            _ => None,
-        };
         if instr.operands.is_empty() {
             return self.missing("CODE", span);
         }
@@ -33,32 +24,10 @@ impl Walk<'_, '_, '_> {
                 }
             }
         }
-        let Some(&(first, _)) = codes.first() else {
-            return;
-        };
-        self.front.names.inputs_read |= inputs_read(first);
-        self.before(&Changes::Anything, false);
-        // What the board's accumulator is goes on to the next code as it is.
-        let goes_on = matches!(self.next(), Some(Stmt::Instr(next)) if next.op == Op::Code);
-        let mut target = None;
-        if !goes_on && self.needed() && !begins(first) {
-            target = self.own(Base::Bool, span);
+        if let Some(&(first, _)) = codes.first() {
+            self.front.names.inputs_read |= inputs_read(first);
         }
-        let behind = target.as_ref().map(|target| target.place.clone());
-        let codes = Codes {
-            before,
-            codes,
-            behind,
-        };
-        let kind = StmtKind::Codes(Box::new(codes));
-        self.push(Made { kind, at: span });
-        self.links = 0;
-        let held = match target {
-            Some(target) => Some(self.read(target, span)),
-            None if begins(first) => Some(self.truth(true, span)),
-            None => None,
-        };
-        self.acc = held.map_or(Acc::Empty, Acc::Value);
+        self.codes(codes, span);
     }
 }
 

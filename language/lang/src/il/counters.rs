@@ -1,14 +1,14 @@
 //! Counters: CTU, CTD, CTUD, as an operator or by CAL.
 
 use super::calls::is_given;
-use super::edges::given;
 use super::operands::Is;
 use super::said::ACCUMULATOR;
 use super::stack::more_inputs;
 use super::timers::Preset;
-use super::walk::{Acc, Walk};
+use super::walk::Walk;
 use crate::ast::{Instr, Operand, Param};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Machine, named};
 use crate::names::Place;
 use crate::operators::Op;
 use crate::typed::build::Target;
@@ -55,7 +55,7 @@ impl Walk<'_, '_, '_> {
         };
         let mut below = Vec::new();
         for _ in 0..more_inputs(instr.op, instr, self.front.names.dialect) {
-            match self.popped() {
+            match self.run.popped() {
                 Some(Acc::Value(expr)) => {
                     below.push(self.as_bit(expr, ACCUMULATOR, instr.span));
                 }
@@ -106,7 +106,7 @@ impl Walk<'_, '_, '_> {
                 let q = if down { "QD" } else { "QU" };
                 self.load_part(target, block, q, span);
             }
-            false => self.acc = Acc::Empty,
+            false => self.run.acc = Acc::Empty,
         }
     }
 
@@ -169,7 +169,7 @@ impl Walk<'_, '_, '_> {
         self.front.writes = true;
         let mut all = Vec::new();
         for (name, input) in [("CU", inputs.up), ("CD", inputs.down)] {
-            all.extend(input.map(|input| given(name, input)));
+            all.extend(input.map(|input| named(name, input)));
         }
         let written = self.spelled(operand);
         for (names, input) in [
@@ -185,13 +185,13 @@ impl Walk<'_, '_, '_> {
                 None if stored => None,
                 None => Some(self.truth(false, span)),
             };
-            all.extend(input.map(|input| given(names[0], input)));
+            all.extend(input.map(|input| named(names[0], input)));
         }
         if let Some(Preset::Given(preset)) = inputs.preset {
-            all.push(given("PV", preset));
+            all.push(named("PV", preset));
         }
         self.run_block(target, all, span);
-        self.links = 0;
+        self.run.links = 0;
     }
 
     /// `CAL C1 (CU:=%IX1, R:=%IX2, PV:=20, Q=>%QX1)`

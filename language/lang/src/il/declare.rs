@@ -2,9 +2,10 @@
 
 use super::first;
 use super::front::{Front, MOST_WITHIN};
-use super::used::{edge_name, parts};
+use super::used::parts;
 use crate::ast::{Operand, Section as Part, Stmt, Unit, UnitKind as Kind, Var};
 use crate::diagnostics::{Code, Span};
+use crate::list::declare_edge;
 use crate::names::declare::is_new;
 use crate::names::{Instance, Place};
 use crate::operators::Op;
@@ -382,19 +383,9 @@ impl Front<'_, '_> {
                 Op::Edge(edge) | Op::Differentiate(edge) => Some(edge),
                 _ => instr.edge,
             };
-            let block = match edge {
-                None => continue,
-                Some(Opcode::FallingEdge) => Standard::FTrig,
-                Some(_) => Standard::RTrig,
-            };
-            let ty = self.type_of(block);
-            let traits = Traits {
-                unseen: true,
-                ..Traits::default()
-            };
-            let name = edge_name(instr.span);
-            self.builder
-                .declare(&name, instr.span, ty, Section::Var, traits);
+            if let Some(edge) = edge {
+                declare_edge(&mut self.builder, edge, instr.span);
+            }
         }
     }
 }

@@ -1,97 +1,30 @@
 //! Operations that are deferred: from `(` to `)`.
 
 use super::bits::name;
-use super::walk::{Acc, Frame, Waiting, Walk, loads};
-use crate::ast::{Instr, Open};
-use crate::diagnostics::{Code, Span};
-use crate::typed::ExprKind;
-use unoclp_core::isa::DEEPEST;
-
-/// The deepest nesting of deferred operations.
-pub(super) const MOST_FRAMES: usize = DEEPEST as usize;
+use super::walk::Walk;
+use crate::ast::{Instr, Open, Stmt};
+use crate::list::{Defers, Opens, Waiting};
+use crate::operators::Op;
 
 impl Walk<'_, '_, '_> {
-    /// `AND(`: the accumulator and the operation wait on the stack.
-    pub(super) fn defer(&mut self, instr: &Instr, open: Open) {
-        if self.lost > 0 || self.frames.len() >= MOST_FRAMES {
-            return self.lose(instr, open);
-        }
-        let mut left = self.take(name(instr.op), instr.span);
-        self.only(instr, 1);
-        let links = self.links;
-        let mut inner = match instr.operands.first() {
-            Some(operand) => {
-                self.unused = Some(instr.whole);
-                self.value(operand).map_or(Acc::Wrong, Acc::Value)
-            }
-            // Its load follows, and N inverts that.
-            None if loads(self.next()) => {
-                self.inverts = open.negated;
-                Acc::Empty
-            }
-            // The accumulator keeps its value: both need it.
-            None => {
-                let is_simple = |expr: &crate::typed::Expr| {
-                    matches!(expr.kind, ExprKind::Read(_) | ExprKind::Constant(_))
-                };
-                if let Some(expr) = left.take() {
-                    left = Some(match is_simple(&expr) {
-                        true => expr,
-                        false => self.aside(expr),
-                    });
-                }
-                left.clone().map_or(Acc::Wrong, Acc::Value)
-            }
+    /// `AND(`
+    pub(super) fn open(&mut self, instr: &Instr, open: Open) {
+        let next = self.next();
+        let opens = Opens {
+            what: name(instr.op),
+            operator: instr.span,
+            at: open.span,
+            negated: open.negated,
+            loads: matches!(next, Some(Stmt::Instr(next)) if next.op == Op::Load),
         };
-        if open.negated
-            && let Acc::Value(expr) = inner
-        {
-            inner = Acc::Value(self.inverted(expr, open.span));
-        }
-        self.frames.push(Frame {
-            acc: left.map_or(Acc::Wrong, Acc::Value),
-            waiting: Waiting::Deferred(instr.op, instr.negated),
-            span: open.span,
-            links,
+        let waiting = Waiting::Deferred(instr.op, instr.negated);
+        let first = instr.operands.first().map(|operand| {
+            move |walk: &mut Self| {
+                walk.only(instr, 1);
+                walk.run.unused = Some(instr.whole);
+                walk.value(operand)
+            }
         });
-        self.acc = inner;
-        self.links = 0;
-    }
-
-    /// A parenthesis too many is told once; what stands in it comes to nothing.
-    fn lose(&mut self, instr: &Instr, open: Open) {
-        if self.lost == 0 {
-            self.tell(Code::TooDeep, open.span, []);
-        }
-        self.take(name(instr.op), instr.span);
-        self.acc = Acc::Wrong;
-        self.lost += 1;
-    }
-
-    /// `)`: the operation that was deferred last is done.
-    pub(super) fn close(&mut self, span: Span) {
-        if self.lost > 0 {
-            self.lost -= 1;
-            self.unused = None;
-            self.acc = Acc::Wrong;
-            return;
-        }
-        // Results that an LD has pushed within the parentheses are lost.
-        while self.popped().is_some() {}
-        let Some(frame) = self.frames.pop() else {
-            return self.tell(Code::CloseWithoutOpen, span, []);
-        };
-        let Waiting::Deferred(op, negated) = frame.waiting else {
-            return;
-        };
-        self.inverts = false;
-        let right = self.take(")", span);
-        let made = match (frame.acc, right) {
-            (Acc::Value(left), Some(right)) => self.apply(op, negated, left, right, frame.span),
-            _ => None,
-        };
-        self.hold(made);
-        self.links += frame.links;
-        self.link();
+        self.defer(waiting, &opens, first);
     }
 }

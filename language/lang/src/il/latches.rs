@@ -1,9 +1,9 @@
 //! SR and RS.
 
-use super::edges::given;
 use super::walk::Walk;
 use crate::ast::{Operand, Param};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Machine, named};
 use crate::typed::Standard;
 use crate::typed::build::Target;
 
@@ -36,11 +36,11 @@ impl Walk<'_, '_, '_> {
                 Some("Q1" | "Q") if param.out => {}
                 Some("S" | "S1" | "SET" | "SET1") if !param.out => {
                     sets = true;
-                    all.extend(self.param_bit(param).map(|bit| given(set_part, bit)));
+                    all.extend(self.param_bit(param).map(|bit| named(set_part, bit)));
                 }
                 Some("R" | "R1" | "RESET" | "RESET1") if !param.out => {
                     resets = true;
-                    all.extend(self.param_bit(param).map(|bit| given(reset_part, bit)));
+                    all.extend(self.param_bit(param).map(|bit| named(reset_part, bit)));
                 }
                 _ => self.no_parameter(&name, param, has),
             }

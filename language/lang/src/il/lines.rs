@@ -1,14 +1,11 @@
 //! A run through a body: what each line does.
 
 use super::front::Front;
-use super::stack::pushes;
-use super::walk::{Acc, Waiting, Walk};
-use crate::ast::{Instr, Stmt};
-use crate::diagnostics::Code;
-use crate::jumps::Labels;
+use super::walk::Walk;
+use crate::ast::Instr;
+use crate::list::{Accumulator, Branches, Flow, Jump, Lines, Run, Stack};
 use crate::operators::Op;
 use crate::typed::Stmt as Made;
-use unoclp_core::isa::Opcode;
 
 impl<'a> Front<'a, '_> {
     /// What a unit does.
@@ -17,55 +14,15 @@ impl<'a> Front<'a, '_> {
         let body = &self.units[unit].body;
         let writes = self.writes;
         self.builder.enter(number);
-        let pushed = pushes(body, self.names.dialect);
         let mut walk = Walk {
             unit,
             instance: self.instances[unit],
             body,
-            needs: Vec::new(),
-            pushed,
-            acc: Acc::Empty,
-            links: 0,
-            frames: Vec::new(),
-            lost: 0,
-            kept: Vec::new(),
-            pushed_numbers: Vec::new(),
+            run: Run::new(),
             block: None,
-            inverts: false,
-            unused: None,
-            unreachable: false,
-            at: 0,
-            decided: None,
-            told_open: None,
-            labels: Labels::default(),
-            jumps: false,
-            ifs: Vec::new(),
-            made: vec![Vec::new()],
-            own: 0,
             front: self,
         };
-        walk.find_labels();
-        walk.find_needs();
-        for (at, stmt) in body.iter().enumerate() {
-            walk.at = at;
-            match stmt {
-                Stmt::Label(word) => walk.label(word, at),
-                Stmt::Close(span) => walk.close(*span),
-                Stmt::Wrong { open } => {
-                    walk.unused = None;
-                    walk.unreachable = false;
-                    walk.acc = Acc::Wrong;
-                    walk.lost += open;
-                }
-                Stmt::Instr(instr) => {
-                    walk.reachable(instr);
-                    if walk.pushed.contains(&at) {
-                        walk.push_result(instr.span);
-                    }
-                    walk.instr(instr);
-                }
-            }
-        }
+        walk.run_lines();
         let made = walk.finish();
         self.builder.body(number, made);
         self.builder.leave();
@@ -76,63 +33,78 @@ impl<'a> Front<'a, '_> {
 }
 
 impl<'a> Walk<'_, 'a, '_> {
-    fn reachable(&mut self, instr: &Instr) {
-        // What begins a part or stands after it is reached in another way.
-        let part = matches!(instr.op, Op::Part(Opcode::Else | Opcode::EndIf));
-        if std::mem::take(&mut self.unreachable) && !part {
-            self.tell(Code::Unreachable, instr.whole, []);
-        }
-    }
-
-    fn instr(&mut self, instr: &'a Instr) {
+    pub(super) fn instr(&mut self, instr: &'a Instr) {
         match instr.op {
             Op::Load => self.load(instr),
             Op::Store => self.store(instr),
             Op::OmronTimer => self.omron_timer(instr),
             Op::OmronCounter => self.omron_counter(instr),
             Op::Keep => self.keep_result(instr.whole),
-            Op::Recall | Op::Release => self.recall_result(instr),
+            Op::Recall | Op::Release => self.recall_result(instr.op, instr.span, instr.whole),
             Op::Differentiate(_) => self.differentiate(instr),
             Op::Set | Op::Reset => self.set_or_reset(instr),
             Op::Not => self.not(instr),
             Op::And | Op::Or | Op::Xor | Op::Number(_) | Op::Compare(_) => self.operate(instr),
             Op::Shift(opcode) => self.shift(instr, opcode),
             Op::Unary(opcode) => self.unary(instr, opcode),
-            Op::Part(opcode) => self.part(instr, opcode),
+            Op::Part(opcode) => self.part(instr.span, opcode),
             Op::Edge(opcode) => self.edge(instr, opcode),
-            Op::Jump => self.jump(instr),
-            Op::Return => self.ret(instr),
+            Op::Jump => self.jump_line(instr),
+            Op::Return => self.ret_line(instr),
             Op::End => self.end(instr),
             Op::Call => self.call(instr),
             Op::Function => self.function(instr),
             Op::Timer(opcode) => self.timer_operator(instr, opcode),
             Op::CountUp | Op::CountDown | Op::CountUpDown => self.count_operator(instr),
-            Op::AndBlock | Op::OrBlock => self.pop_result(instr),
+            Op::AndBlock | Op::OrBlock => self.pop_result(instr.op, instr.span),
             Op::Block => self.begin_block(instr),
             Op::OutBlock => self.out_block(instr),
             Op::EndBlock => self.end_block(instr),
             // The parser has made a store of it.
             Op::Preset => {}
             Op::Input(opcode) => self.input_operator(instr, opcode),
-            Op::Push => self.push_number(instr),
-            Op::Table(opcode) => self.table(instr, opcode),
+            Op::Push => self.push_line(instr),
+            Op::Table(opcode) => self.table_line(instr, opcode),
             Op::Code => self.code(instr),
         }
     }
 
     fn finish(mut self) -> Vec<Made> {
-        self.warn_unused();
-        for frame in std::mem::take(&mut self.frames) {
-            let told = self.told_open == Some(frame.span);
-            if matches!(frame.waiting, Waiting::Deferred(..)) && !told {
-                self.tell(Code::LeftOpen, frame.span, []);
-            }
-        }
         self.end_of_blocks();
         self.end_of_branches();
         self.end_of_pushed();
         self.end_of_ifs();
-        self.labels.settle(&mut self.made);
-        self.made.swap_remove(0)
+        self.statements()
+    }
+
+    fn jump_of(instr: &Instr) -> Jump {
+        Jump {
+            conditional: instr.conditional,
+            negated: instr.negated,
+            span: instr.span,
+            whole: instr.whole,
+        }
+    }
+
+    fn jump_line(&mut self, instr: &Instr) {
+        self.only(instr, 1);
+        let label = instr.operands.first();
+        let label = label.map(|label| (label.name().unwrap_or_default(), label.span));
+        self.jump(Self::jump_of(instr), label);
+    }
+
+    fn ret_line(&mut self, instr: &Instr) {
+        self.only(instr, 0);
+        self.ret(Self::jump_of(instr));
+    }
+
+    /// END, which needs no code where nothing follows.
+    fn end(&mut self, instr: &Instr) {
+        self.warn_unused();
+        self.not_deferred("END", instr.span);
+        match self.next() {
+            Some(_) => self.ret_line(instr),
+            None => self.only(instr, 0),
+        }
     }
 }

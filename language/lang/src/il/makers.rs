@@ -1,14 +1,14 @@
 //! What the makers write in their own ways: `OUT T0 K50`, `TIM 000 #0050`, PLS. The accumulator stays what it was where
 //! the norm's would become the result.
 
-use super::accumulator::Changes;
 use super::counters::Inputs;
 use super::operands::Is;
 use super::said::ACCUMULATOR;
 use super::timers::Preset;
-use super::walk::{Acc, Walk};
+use super::walk::Walk;
 use crate::ast::{Instr, Operand};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Changes, Edges, Machine};
 use crate::typed::{Expr, ExprKind};
 use unoclp_core::isa::Opcode;
 
@@ -52,7 +52,7 @@ impl Walk<'_, '_, '_> {
     /// `CNT 001 #0003`: the result before the last counts, the last one resets.
     pub(super) fn omron_counter(&mut self, instr: &Instr) {
         let reset = self.take_bit("CNT", instr.span);
-        let count = self.popped();
+        let count = self.run.popped();
         let [counter, preset, ..] = &instr.operands[..] else {
             return self.missing_preset("CNT", "001 #0003", instr.span);
         };
@@ -70,7 +70,7 @@ impl Walk<'_, '_, '_> {
             _ => None,
         };
         let preset = self.preset(preset, 1);
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
         let Some((target, _)) = self.counter_place(counter) else {
             return;
         };
@@ -110,7 +110,7 @@ impl Walk<'_, '_, '_> {
             Is::Wrong => {}
             _ => self.not_callable(block),
         }
-        self.links = 0;
+        self.run.links = 0;
         self.hold(Some(bit));
     }
 
@@ -135,10 +135,10 @@ impl Walk<'_, '_, '_> {
         };
         self.only(instr, 1);
         bit = self.kept_for_later(bit);
-        if let Some(changed) = self.edge_of(bit.clone(), instr) {
+        if let Some(changed) = self.edge_of(bit.clone(), instr.span) {
             self.store_value(changed, operand, false);
         }
-        self.links = 0;
+        self.run.links = 0;
         self.hold(Some(bit));
     }
 }

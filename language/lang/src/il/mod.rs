@@ -1,37 +1,30 @@
 //! Instruction List as a front end of the typed tree: from its syntax tree to units, variables and statements.
 //!
-//! The lines of a body are run once on expressions in place of values, so that `LD a`, `ADD b`, `ST c` come to
-//! `c := a + b`. What a name means and what is wrong with it, `names` says, whoever's way of writing points it is.
+//! Lines are run on the machine of `list`. What a name means and what is wrong with it, `names` says, whoever's way of writing points it is.
 //!
 //! - `used`: what the text does with its timers and counters, wherever they are declared
 //! - `declare`: units and variables; `first`: what they begin with
 //! - `operands`: what an operand means and what it is worth; `said`: words of messages
 //! - `front`: what is known of the whole text; `walk`: what is held on the way through a body; `lines`: what each line does
-//! - `accumulator`: what is put aside of it; `needs`: where it is used
-//! - `bits`, `numbers`, `stores`, `defer`, `stack`, `branches`: what works on the accumulator
-//! - `flow`: labels, jumps, IF; `circles`: calls without end; `calls`, `units`, `timers`, `counters`, `edges`: what is called
+//! - `bits`, `numbers`, `stores`, `defer`, `stack`: what works on it
+//! - `circles`: calls without end; `calls`, `units`, `timers`, `counters`: what is called
 //! - `makers`, `blocks`: what the makers write in their own ways; `push`, `codes`: what the board's own words do
 //!
 //! Must not know what a statement costs.
 
-mod accumulator;
 mod bits;
 mod blocks;
-mod branches;
 mod calls;
 mod circles;
 mod codes;
 mod counters;
 mod declare;
 mod defer;
-mod edges;
 mod first;
-mod flow;
 mod front;
 mod latches;
 mod lines;
 mod makers;
-mod needs;
 mod numbers;
 mod operands;
 mod push;

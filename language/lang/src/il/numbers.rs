@@ -5,6 +5,7 @@ use super::said::ACCUMULATOR;
 use super::walk::Walk;
 use crate::ast::Instr;
 use crate::diagnostics::Span;
+use crate::list::Accumulator;
 use crate::operators::Op;
 use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, TypeId, Unary, Value};
 use crate::words::operator;

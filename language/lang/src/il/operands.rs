@@ -1,12 +1,12 @@
 //! What an operand means, and what it is worth.
 
-use super::accumulator::Changes;
 use super::first::part;
 use super::said::{BLOCK, BOOL, NUMBER, Words, constant};
 use super::used::parts;
 use super::walk::Walk;
 use crate::ast::{Operand, OperandKind};
 use crate::diagnostics::{Code, Span, Word};
+use crate::list::{Accumulator, Changes, Machine};
 use crate::names::Place;
 use crate::tree::{Bit, Num};
 use crate::typed::build::{Named, Target};

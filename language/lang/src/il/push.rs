@@ -5,106 +5,41 @@ use super::front::Front;
 use super::said::ACCUMULATOR;
 use super::walk::Walk;
 use crate::ast::{Instr, Operand, Stmt};
-use crate::diagnostics::{Code, Span};
+use crate::list::{Accumulator, Stack, Tables, row};
 use crate::names::Place;
 use crate::operators::Op;
 use crate::points;
 use crate::tree::Num;
-use crate::typed::{Base, Expr, ExprKind, Stmt as Made, StmtKind, Store};
-use unoclp_core::Cause;
-use unoclp_core::isa::{DEEPEST, Opcode, REGISTERS};
+use unoclp_core::isa::Opcode;
 use unoclp_point::Address;
 
 impl Walk<'_, '_, '_> {
-    /// PUSH: the number waits, and stays where it is.
-    pub(super) fn push_number(&mut self, instr: &Instr) {
+    /// PUSH
+    pub(super) fn push_line(&mut self, instr: &Instr) {
         let expr = self.take("PUSH", instr.span);
         let number = expr.and_then(|expr| self.as_number(expr, ACCUMULATOR, instr.span));
-        let Some(number) = number else { return };
-        if self.pushed_numbers.len() >= usize::from(DEEPEST) {
-            return self.refused(Cause::PushedTooDeep, instr.whole);
+        if let Some(number) = number {
+            self.push_number(number, instr.whole);
         }
-        self.hold(Some(number));
-        if self.needed() {
-            self.settle_costly();
-        }
-        if let super::walk::Acc::Value(held) = self.acc.clone() {
-            self.pushed_numbers.push((held, instr.whole));
-        }
-        // Nothing needs to be done with it but to take it again.
-        self.unused = None;
-    }
-
-    /// The number that was pushed last; told where there is none.
-    pub(super) fn popped_number(&mut self, span: Span) -> Option<Expr> {
-        let popped = self.pushed_numbers.pop();
-        if popped.is_none() {
-            self.refused(Cause::NothingPushed, span);
-        }
-        popped.map(|(expr, _)| expr)
-    }
-
-    /// What is left pushed where the body ends.
-    pub(super) fn end_of_pushed(&mut self) {
-        if let Some((_, span)) = self.pushed_numbers.pop() {
-            self.refused(Cause::ValueLeftPushed, span);
-        }
-    }
-
-    fn refused(&mut self, cause: Cause, span: Span) {
-        let words = [cause.number().to_string().into(), cause.text().into()];
-        self.tell(Code::Refused, span, words);
     }
 
     /// TABLE_LD, TABLE_ST.
-    pub(super) fn table(&mut self, instr: &Instr, opcode: Opcode) {
-        let span = instr.whole;
+    pub(super) fn table_line(&mut self, instr: &Instr, opcode: Opcode) {
         let what = name(instr.op);
         let stores = opcode == Opcode::StoreTable;
         self.front.writes |= stores;
-        let Some(table) = self.table_operands(instr, what) else {
-            self.take(what, instr.span);
-            return;
-        };
+        let table = self.table_operands(instr, what);
         let expr = self.take(what, instr.span);
         let number = expr.and_then(|expr| self.as_number(expr, ACCUMULATOR, instr.span));
-        let Some(number) = number else { return };
-        if !stores {
-            let place = self.front.builder.in_table(table, number, span);
-            let expr = place.map(|place| Expr {
-                kind: ExprKind::Read(Box::new(place)),
-                base: Base::Dint,
-                ty: crate::typed::TypeId::of(Base::Dint),
-                at: span,
-            });
-            self.hold(expr);
-            self.links = 0;
-            return self.link();
-        }
-        let Some(subscript) = self.popped_number(span) else {
-            return;
-        };
-        self.hold(Some(number));
-        if self.needed() {
-            self.settle_costly();
-        }
-        let super::walk::Acc::Value(number) = self.acc.clone() else {
-            return;
-        };
-        if let Some(place) = self.front.builder.in_table(table, subscript, span) {
-            let cells = u32::from(table.1);
-            self.before(&super::accumulator::Changes::Cells(&place, cells), true);
-            let kind = StmtKind::Assign(place, number, Store::Narrow(Base::Dint));
-            self.push(Made { kind, at: span });
+        if let (Some(table), Some(number)) = (table, number) {
+            self.table(table, number, stores, instr.whole);
         }
     }
 
     /// The first register of a table, and how many it has.
     fn table_operands(&mut self, instr: &Instr, what: &str) -> Option<(u8, u8)> {
         let [first, length, ..] = &instr.operands[..] else {
-            let example = ("D1, 8", "D1, 8");
-            let words = [what.into(), example.into()];
-            self.tell(Code::OperandMissing, instr.span, words);
+            self.no_table(what, instr.span);
             return None;
         };
         self.only(instr, 2);
@@ -115,25 +50,8 @@ impl Walk<'_, '_, '_> {
             Place::Unknown => return None,
             _ => None,
         };
-        let Some(register) = register else {
-            let text = self.spelled(first);
-            let range = ("a register", "um registrador");
-            self.tell(Code::BadValue, first.span, [text.into(), range.into()]);
-            return None;
-        };
-        let most = REGISTERS + 1 - register;
-        let fits = |length: &u8| (1..=most).contains(length);
-        let count = length.number().and_then(|count| u8::try_from(count).ok());
-        let Some(count) = count.filter(fits) else {
-            let text = self.spelled(length);
-            let range = (
-                format!("a number from 1 to {most}"),
-                format!("um número de 1 a {most}"),
-            );
-            self.tell(Code::BadValue, length.span, [text.into(), range.into()]);
-            return None;
-        };
-        Some((register, count))
+        let count = length.number().map(i64::from);
+        self.table_of(register, count, [first.span, length.span])
     }
 }
 
@@ -148,9 +66,7 @@ impl Front<'_, '_> {
                     && let [first, length, ..] = &instr.operands[..]
                     && let Some(register) = self.register(first, index)
                 {
-                    let count = length.number().and_then(|count| u8::try_from(count).ok());
-                    let count = count.filter(|count| *count <= REGISTERS + 1 - register);
-                    tables.extend(count.map(|count| (register, count)));
+                    tables.extend(row(register, length.number().map(i64::from)));
                 }
             }
         }

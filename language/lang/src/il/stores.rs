@@ -1,18 +1,16 @@
 //! What writes: ST, S, R.
 
-use super::accumulator::Changes;
 use super::operands::Is;
 use super::said::{ACCUMULATOR, BLOCK, BOOL, NUMBER, constant};
 use super::used::parts;
-use super::walk::{Acc, Walk};
+use super::walk::Walk;
 use crate::ast::{Instr, Operand, UnitKind};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Decides, Machine};
 use crate::names::kept;
 use crate::operators::Op;
 use crate::typed::build::{Named, Target};
-use crate::typed::{
-    Base, Convert, Expr, ExprKind, Kind, Order, Standard, Stmt, StmtKind, Store, TypeId,
-};
+use crate::typed::{Base, Convert, Expr, ExprKind, Kind, Order, Standard, Stmt, TypeId};
 use unoclp_point::Address;
 
 impl Walk<'_, '_, '_> {
@@ -43,7 +41,7 @@ impl Walk<'_, '_, '_> {
         let Some(target) = self.storable(operand) else {
             return;
         };
-        let Acc::Value(expr) = self.acc.clone() else {
+        let Acc::Value(expr) = self.run.acc.clone() else {
             return;
         };
         let is_bit = self.is_bit(&target);
@@ -52,7 +50,7 @@ impl Walk<'_, '_, '_> {
         if needed && !again {
             self.settle_costly();
         }
-        let Acc::Value(expr) = self.acc.clone() else {
+        let Acc::Value(expr) = self.run.acc.clone() else {
             return;
         };
         let Some(statement) = self.stored(expr, &target, operand, negated, span) else {
@@ -65,7 +63,7 @@ impl Walk<'_, '_, '_> {
         self.does(statement, needed && !again);
         if again {
             let held = self.read(target, span);
-            self.links = 0;
+            self.run.links = 0;
             self.hold(Some(held));
         } else if needed && !negated {
             self.hold_cut(operand);
@@ -76,7 +74,7 @@ impl Walk<'_, '_, '_> {
     fn hold_cut(&mut self, operand: &Operand) {
         let instance = Some(self.instance);
         let width = self.front.names.width(operand, instance);
-        if let (Some(base), Acc::Value(expr)) = (width, &self.acc)
+        if let (Some(base), Acc::Value(expr)) = (width, &self.run.acc)
             && let Some(number) = constant(expr)
         {
             let cut = kept(Some(base), number);
@@ -165,7 +163,7 @@ impl Walk<'_, '_, '_> {
     /// An output that has been written by ST before is told, where no jump may lead past one of the two.
     fn note_coil(&mut self, output: u8, operand: &Operand) {
         let kind = self.front.kind_of(self.unit);
-        if kind != UnitKind::Program || self.jumps {
+        if kind != UnitKind::Program || self.run.jumps {
             return;
         }
         let span = operand.span;
@@ -224,17 +222,6 @@ impl Walk<'_, '_, '_> {
         self.assigned(target, number, span)
     }
 
-    /// A value in a variable, in the bits of its type.
-    pub(super) fn assigned(&mut self, target: &Target, value: Expr, at: Span) -> Option<Stmt> {
-        let base = self.front.builder.tree.types.base(target.ty)?;
-        let value = self.fit(value, target.ty, base);
-        if matches!(value.kind, ExprKind::Wrong) {
-            return None;
-        }
-        let kind = StmtKind::Assign(target.place.clone(), value, Store::Narrow(base));
-        Some(Stmt { kind, at })
-    }
-
     /// A number of 32 bits as one of a type, in whose bits it is stored.
     pub(super) fn fit(&mut self, value: Expr, ty: TypeId, base: Base) -> Expr {
         if value.base == base {
@@ -253,10 +240,10 @@ impl Walk<'_, '_, '_> {
         if instr.operands.is_empty() && self.block.is_some() {
             return self.wire(what, instr.span);
         }
-        let decided = self.decided.filter(|_| !instr.operands.is_empty());
+        let decided = self.run.decided.filter(|_| !instr.operands.is_empty());
         let bit = match decided {
             Some(_) => {
-                self.unused = None;
+                self.run.unused = None;
                 None
             }
             None => match self.take_bit(what, instr.span) {
@@ -336,38 +323,10 @@ impl Walk<'_, '_, '_> {
         self.decide(body, instr.whole);
     }
 
-    /// Statements where the accumulator is 1: with those before them, where these are decided by the same.
-    pub(super) fn decide(&mut self, mut body: Vec<Stmt>, span: Span) {
-        for statement in &body {
-            match &statement.kind {
-                StmtKind::Assign(place, ..) => self.before_others(&Changes::Cells(place, 1)),
-                StmtKind::Order(_, block, place) => {
-                    self.before_others(&Changes::Cells(place, block.cells()));
-                }
-                _ => self.before_others(&Changes::Anything),
-            }
-        }
-        let needed = self.needed();
-        if let Some(state) = self.decided.take() {
-            if let Some(Stmt {
-                kind: StmtKind::If(arms, otherwise),
-                ..
-            }) = self.made.last_mut().and_then(|made| made.last_mut())
-            {
-                match (state, arms.first_mut()) {
-                    (true, Some((_, then))) if otherwise.is_empty() => then.append(&mut body),
-                    _ => otherwise.append(&mut body),
-                }
-            }
-            self.decided = Some(state).filter(|_| needed);
-            return;
-        }
-        let Acc::Value(condition) = self.acc.clone() else {
-            return;
-        };
-        let kind = StmtKind::If(vec![(condition, body)], Vec::new());
-        self.push(Stmt { kind, at: span });
-        self.decided = Some(true).filter(|_| needed);
+    /// The accumulator as a bit.
+    pub(super) fn take_bit(&mut self, what: &str, span: Span) -> Option<Expr> {
+        let expr = self.take(what, span)?;
+        self.as_bit(expr, ACCUMULATOR, span)
     }
 
     /// S and R of a timer or counter.

@@ -1,13 +1,13 @@
 //! Timers: TON, TOF, TP, as an operator or by CAL.
 
 use super::calls::is_given;
-use super::edges::given;
 use super::operands::Is;
 use super::said::{ACCUMULATOR, constant};
-use super::walk::{Acc, Walk};
+use super::walk::Walk;
 use crate::Dialect;
 use crate::ast::{Instr, Operand, Param};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Machine, named};
 use crate::names::Place;
 use crate::typed::build::Target;
 use crate::typed::{Base, Expr, Root, Standard, TypeId};
@@ -56,7 +56,7 @@ impl Walk<'_, '_, '_> {
             false => input,
         };
         self.start_timer(operand, &target, Some(input.clone()), preset, span);
-        self.links = 0;
+        self.run.links = 0;
         self.hold(Some(input));
     }
 
@@ -64,7 +64,7 @@ impl Walk<'_, '_, '_> {
     pub(super) fn load_part(&mut self, target: Target, block: Standard, part: &str, at: Span) {
         let output = self.part_of(target, block, part);
         let held = output.map(|output| self.read(output, at));
-        self.links = 0;
+        self.run.links = 0;
         self.hold(held);
     }
 
@@ -197,13 +197,13 @@ impl Walk<'_, '_, '_> {
         if !self.front.timed.insert((unit, target.place.offset)) {
             return self.tell(Code::TimerTwice, span, [name.into()]);
         }
-        let mut all: Vec<_> = input.map(|input| given("IN", input)).into_iter().collect();
+        let mut all: Vec<_> = input.map(|input| named("IN", input)).into_iter().collect();
         if let Preset::Given(preset) = preset {
             let preset = self.fit(preset, TypeId::of(Base::Time), Base::Time);
-            all.push(given("PT", preset));
+            all.push(named("PT", preset));
         }
         self.run_block(target, all, span);
-        self.links = 0;
+        self.run.links = 0;
     }
 
     /// `CAL T1 (IN:=%IX1, PT:=T#20s, Q=>%QX1)`
@@ -265,6 +265,6 @@ impl Walk<'_, '_, '_> {
                 self.store_value(value, &param.value, param.negated);
             }
         }
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
     }
 }

@@ -1,12 +1,12 @@
 //! Functions and function blocks of the text's own.
 
-use super::accumulator::Changes;
 use super::calls::positional;
 use super::operands::Is;
 use super::said::{BOOL, NUMBER};
-use super::walk::{Acc, Walk};
+use super::walk::Walk;
 use crate::ast::{Instr, Param, Section, Unit, Var};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Machine};
 use crate::typed::build::{Argument, Given, Named, Target};
 use crate::typed::{Base, Expr, ExprKind, Kind, Root, Stmt, StmtKind, TypeId};
 use std::collections::HashSet;
@@ -43,12 +43,12 @@ impl<'a> Walk<'_, 'a, '_> {
         let mut params = instr.params.clone();
         params.extend(instr.operands.iter().map(positional));
         if !self.takes_accumulator(instr) {
-            self.unused = None;
+            self.run.unused = None;
             return self.call_function(unit, &params, None, instr.span, instr.whole);
         }
         match self.take("CAL", instr.span) {
             Some(expr) => self.call_function(unit, &params, Some(expr), instr.span, instr.whole),
-            None => self.acc = Acc::Wrong,
+            None => self.run.acc = Acc::Wrong,
         }
     }
 
@@ -63,7 +63,7 @@ impl<'a> Walk<'_, 'a, '_> {
     ) {
         let number = self.front.numbers[unit];
         let Some((mut given, inputs, back)) = self.given_to(unit, params, first, name) else {
-            self.acc = Acc::Wrong;
+            self.run.acc = Acc::Wrong;
             return;
         };
         // What is not given has its default: a function keeps nothing.
@@ -82,11 +82,11 @@ impl<'a> Walk<'_, 'a, '_> {
             });
         }
         let changes = given.iter().any(|one| matches!(one.given, Given::Place(_)));
-        let expr = self.front.builder.call(number, given, name, span);
         if changes {
             self.front.writes = true;
-            self.before(&Changes::Anything, false);
+            self.before_call(&given);
         }
+        let expr = self.front.builder.call(number, given, name, span);
         // What it may change is changed here, and once.
         if !self.needed() {
             if let ExprKind::Call(call) = expr.kind {
@@ -94,13 +94,13 @@ impl<'a> Walk<'_, 'a, '_> {
                 self.push(Stmt { kind, at: span });
             }
             back.into_iter().for_each(|one| self.push(one));
-            self.acc = Acc::Empty;
+            self.run.acc = Acc::Empty;
             return;
         }
         let expr = self.aside(expr);
         back.into_iter().for_each(|one| self.push(one));
         let expr = self.wide(expr);
-        self.links = 0;
+        self.run.links = 0;
         self.hold(Some(expr));
     }
 
@@ -149,8 +149,8 @@ impl<'a> Walk<'_, 'a, '_> {
         let Some((given, _, back)) = self.given_to(unit, params, None, span) else {
             return;
         };
+        self.before_call(&given);
         let body = self.front.builder.block(target.clone(), given, span);
-        self.before(&Changes::Anything, false);
         body.into_iter().for_each(|one| self.push(one));
         back.into_iter().for_each(|one| self.push(one));
         let (name, _) = self.front.unit_name(unit);
@@ -274,7 +274,7 @@ impl<'a> Walk<'_, 'a, '_> {
         span: Span,
         back: &mut Vec<Stmt>,
     ) -> Target {
-        let Some(copy) = own.and_then(|own| self.own(own, span)) else {
+        let Some(copy) = own.and_then(|own| self.own(TypeId::of(own), span)) else {
             return target;
         };
         let value = self.read(target.clone(), span);

@@ -2,7 +2,6 @@
 
 use crate::Dialect;
 use crate::ast::{Instr, Operand, Stmt, Unit};
-use crate::diagnostics::Span;
 use crate::operators::Op;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -128,9 +127,4 @@ fn is_fx_retentive(timer: &Operand) -> bool {
     let name = timer.name().unwrap_or_default();
     let number = name.trim_start_matches(|c: char| !c.is_ascii_digit());
     name.contains('T') && matches!(number.parse::<u32>(), Ok(246..=255))
-}
-
-/// The instance of the edge of this instruction.
-pub(super) fn edge_name(at: Span) -> String {
-    format!("#edge {}", at.start)
 }

@@ -1,40 +1,15 @@
 //! A run through a body on expressions: what it holds on its way.
 
 use super::front::Front;
+use super::said::{ACCUMULATOR, BOOL, NUMBER, constant};
+use super::stack::more_inputs;
 use crate::ast::{Instr, Operand, Stmt};
 use crate::diagnostics::{Code, Span, Word};
-use crate::jumps::{If, Labels};
+use crate::list::{Acc, Changes, Defers, Does, Machine, Run, Says, Waiting};
 use crate::operators::Op;
-use crate::typed::build::Target;
-use crate::typed::{Expr, Standard, Stmt as Made};
-use std::collections::HashSet;
-
-/// What the accumulator holds.
-#[derive(Clone, Debug)]
-pub(super) enum Acc {
-    Empty,
-    /// What is wrong has been told.
-    Wrong,
-    Value(Expr),
-}
-
-/// What a result waits for.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Waiting {
-    /// For `)`, with N where the result is inverted.
-    Deferred(Op, bool),
-    /// For ALD, OLD, or a counter with more than one input.
-    Pushed,
-}
-
-/// A result that waits.
-#[derive(Debug)]
-pub(super) struct Frame {
-    pub acc: Acc,
-    pub waiting: Waiting,
-    pub span: Span,
-    pub links: u32,
-}
+use crate::typed::build::{Builder, Target};
+use crate::typed::{Base, Compare, Expr, ExprKind, Standard, Stmt as Made, StmtKind, Store};
+use std::borrow::Cow;
 
 /// A block whose inputs are being connected.
 pub(super) struct Block {
@@ -56,76 +31,145 @@ pub(super) struct Walk<'w, 'a, 'f> {
     pub body: &'a [Stmt],
     pub unit: usize,
     pub instance: usize,
-    /// Whether the accumulator is needed before each line, and after the last.
-    pub needs: Vec<bool>,
-    /// The loads that push the result before them.
-    pub pushed: HashSet<usize>,
-    pub acc: Acc,
-    /// Operations in the accumulator's expression.
-    pub links: u32,
-    pub frames: Vec<Frame>,
-    /// Parentheses whose operations are lost to an error.
-    pub lost: usize,
-    /// What MPS has kept, and where.
-    pub kept: Vec<(Acc, Span)>,
-    /// What PUSH has pushed, and where.
-    pub pushed_numbers: Vec<(Expr, Span)>,
+    pub run: Run,
     pub block: Option<Block>,
-    /// N after a parenthesis: the load that follows is inverted.
-    pub inverts: bool,
-    /// The result that nothing has used yet.
-    pub unused: Option<Span>,
-    pub unreachable: bool,
-    /// The line that is run.
-    pub at: usize,
-    /// Whether the accumulator is the condition of the IF that was made last, or its opposite.
-    pub decided: Option<bool>,
-    /// The parenthesis of which it has been told that something cannot stand in it.
-    pub told_open: Option<Span>,
-    pub labels: Labels,
-    /// Whether the body jumps, wherever to.
-    pub jumps: bool,
-    pub ifs: Vec<If>,
-    /// The statements: of the body, and of each IF that is open.
-    pub made: Vec<Vec<Made>>,
-    /// Variables of the compiler's own so far.
-    pub own: u32,
 }
 
-impl<'a> Walk<'_, 'a, '_> {
-    pub(super) fn tell<const N: usize>(&mut self, code: Code, at: Span, words: [Word; N]) {
+impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
+    fn run(&self) -> &Run {
+        &self.run
+    }
+
+    fn run_mut(&mut self) -> &mut Run {
+        &mut self.run
+    }
+
+    fn builder(&mut self) -> &mut Builder<'a, 'f> {
+        &mut self.front.builder
+    }
+
+    fn built(&self) -> &Builder<'a, 'f> {
+        &self.front.builder
+    }
+
+    fn tell<const N: usize>(&mut self, code: Code, at: Span, words: [Word; N]) {
         self.front.builder.found.tell(code, at, words);
     }
 
+    /// A number is true if it is not 0.
+    fn tested(&mut self, expr: Expr, span: Span) -> Option<Expr> {
+        if expr.base == Base::Bool || matches!(constant(&expr), Some(0..=1)) {
+            return self.as_bit(expr, ACCUMULATOR, span);
+        }
+        let none = self.whole(0, span);
+        let builder = &mut self.front.builder;
+        Some(builder.compare(Compare::NotEqual, expr, none, span))
+    }
+
+    fn carries(&mut self, mut expr: Expr, to: Option<&Target>, span: Span) -> Option<Expr> {
+        let base = to.and_then(|to| self.front.builder.tree.types.base(to.ty));
+        if base == Some(Base::Bool)
+            && let Some(number @ 0..=1) = constant(&expr)
+        {
+            // The constants 0 and 1 are both bit and number.
+            expr = self.truth(number == 1, span);
+        }
+        let (is, needed) = match (base, expr.base == Base::Bool) {
+            (Some(Base::Bool), false) => (NUMBER, BOOL),
+            (Some(Base::Dint), true) => (BOOL, NUMBER),
+            _ => return Some(expr),
+        };
+        self.wrong_type(ACCUMULATOR.into(), span, is, needed);
+        None
+    }
+
+    /// The statement that stores a value, in the bits of the place's type.
+    fn assigned(&mut self, target: &Target, value: Expr, at: Span) -> Option<Made> {
+        let base = self.front.builder.tree.types.base(target.ty)?;
+        let value = self.fit(value, target.ty, base);
+        if matches!(value.kind, ExprKind::Wrong) {
+            return None;
+        }
+        let kind = StmtKind::Assign(target.place.clone(), value, Store::Narrow(base));
+        Some(Made { kind, at })
+    }
+
+    fn inverted(&mut self, expr: Expr, span: Span) -> Expr {
+        self.opposite(expr, span)
+    }
+
+    fn joined(&mut self, of: Waiting, left: Expr, right: Expr, from: [Span; 2]) -> Option<Expr> {
+        match of {
+            Waiting::Deferred(op, negated) => self.apply(op, negated, left, right, from[0]),
+            _ => None,
+        }
+    }
+
+    fn lines(&self) -> usize {
+        self.body.len()
+    }
+
+    fn says(&self, at: usize) -> Says<'_> {
+        match &self.body[at] {
+            Stmt::Label(word) => Says::Label(word.text.as_str().into(), word.span),
+            Stmt::Close(span) => Says::Close(*span),
+            Stmt::Wrong { open } => Says::Wrong(Some(*open)),
+            Stmt::Instr(instr) => Says::Does(Does {
+                op: Some(instr.op),
+                conditional: instr.conditional,
+                label: instr
+                    .operands
+                    .first()
+                    .and_then(Operand::name)
+                    .map(Cow::from),
+                pops: match instr.op {
+                    Op::AndBlock | Op::OrBlock => 1,
+                    op => more_inputs(op, instr, self.front.names.dialect),
+                },
+                span: instr.span,
+                whole: instr.whole,
+            }),
+        }
+    }
+
+    fn reads(&self, at: usize) -> bool {
+        let Stmt::Instr(instr) = &self.body[at] else {
+            return false;
+        };
+        match instr.op {
+            Op::Block | Op::OutBlock | Op::EndBlock => false,
+            Op::Function => self.takes_accumulator(instr),
+            _ => true,
+        }
+    }
+
+    fn line(&mut self, at: usize) {
+        let body = self.body;
+        if let Some(Stmt::Instr(instr)) = body.get(at) {
+            self.instr(instr);
+        }
+    }
+
+    fn close_line(&mut self, span: Span) {
+        self.close(span);
+    }
+
+    fn before_own(&mut self, changes: &Changes) {
+        self.before_block(changes);
+    }
+}
+
+impl<'a> Walk<'_, 'a, '_> {
     /// What no operator of this reader comes to.
     pub(super) fn not_yet(&mut self, at: Span) {
-        self.unused = None;
-        self.acc = Acc::Wrong;
+        self.run.unused = None;
+        self.run.acc = Acc::Wrong;
         let word = self.front.names.written(at);
         self.tell(Code::StUnsupported, at, [word.into(), "".into()]);
     }
 
-    /// Adds a statement that changes nothing which the accumulator reads.
-    pub(super) fn push(&mut self, statement: Made) {
-        self.undecided();
-        if let Some(made) = self.made.last_mut() {
-            made.push(statement);
-        }
-    }
-
-    pub(super) fn warn_unused(&mut self) {
-        if let Some(span) = self.unused.take() {
-            self.tell(Code::ResultUnused, span, []);
-        }
-    }
-
-    /// Whether the accumulator is used after the line that is run.
-    pub(super) fn needed(&self) -> bool {
-        self.needs.get(self.at + 1).copied().unwrap_or_default()
-    }
-
     pub(super) fn next(&self) -> Option<&'a Stmt> {
-        self.body.get(self.at + 1)
+        self.body.get(self.run.at + 1)
     }
 
     /// An instruction takes so many operands, and no more.
@@ -148,9 +192,4 @@ impl<'a> Walk<'_, 'a, '_> {
         };
         self.tell(Code::OperandMissing, span, [what.into(), example.into()]);
     }
-}
-
-/// Whether a load comes next, so that the accumulator is needed no more.
-pub(super) fn loads(next: Option<&Stmt>) -> bool {
-    matches!(next, Some(Stmt::Instr(instr)) if instr.op == Op::Load)
 }

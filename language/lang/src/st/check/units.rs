@@ -42,6 +42,11 @@ impl Checker<'_, '_, '_> {
                 self.blocks.entry(key).or_insert(at);
             }
         }
+        for unit in &file.units {
+            if let Body::List(lines) = &unit.body {
+                self.rows(lines);
+            }
+        }
         // Types may be measured by constants, so these come first.
         let (first, then): (Vec<&Vars>, Vec<&Vars>) =
             file.globals.iter().partition(|vars| vars.constant);

@@ -168,7 +168,7 @@ impl Parser<'_, '_> {
             };
         }
         if token.kind != Kind::And {
-            return self.named(token.span);
+            return self.of_two_words(token.span);
         }
         let n = self.token();
         let negated =
@@ -180,6 +180,32 @@ impl Parser<'_, '_> {
             text: if negated { "ANDN" } else { "AND" }.to_owned(),
             span: token.span,
         }
+    }
+
+    /// `LD NOT` and `AND LD`, as OMRON writes them, or the operator alone.
+    fn of_two_words(&mut self, span: Span) -> Name {
+        let alone = self.named(span);
+        let next = self.token();
+        if next.kind != Kind::Word || self.on_new_line() {
+            return alone;
+        }
+        let (word, more) = (
+            alone.text.to_uppercase(),
+            self.slice(next.span).to_uppercase(),
+        );
+        let negates = more == "NOT" && spelling_of(&word).is_some_and(Op::may_negate);
+        let text = match (word.as_str(), more.as_str()) {
+            (word, "NOT") if negates => format!("{word}N"),
+            ("AND", "LD") if self.ends_line() => "ALD".to_owned(),
+            ("OR", "LD") if self.ends_line() => "OLD".to_owned(),
+            _ => return alone,
+        };
+        if spelling_of(&text).is_none() {
+            return alone;
+        }
+        self.next();
+        let span = span.to(next.span);
+        Name { text, span }
     }
 
     /// Whether the instruction ends here; within parentheses another may follow on its line.

@@ -2,14 +2,12 @@
 
 use super::super::super::ast::{Arg, Instruction, Line, NodeKind};
 use super::super::Checker;
-use super::accumulator::Changes;
-use super::operators::accumulated;
-use super::walk::{Acc, Walk};
+use super::walk::{Walk, accumulated};
 use crate::diagnostics::{Code, Span};
+use crate::list::{Acc, Accumulator, Edges, Flow, Machine, declare_edge, named};
 use crate::operators::Op;
-use crate::typed::build::{Argument, Given, Section, Target, Traits};
-use crate::typed::{Expr, Kind, Standard, Stmt, UnitKind};
-use unoclp_core::isa::Opcode;
+use crate::typed::build::{Argument, Section, Target};
+use crate::typed::{Expr, Stmt, StmtKind, UnitKind};
 
 impl Walk<'_, '_, '_, '_> {
     /// Whether a call by a function's name takes the accumulator as its first input: where one operand is lacking.
@@ -35,15 +33,16 @@ impl Walk<'_, '_, '_, '_> {
         self.warn_unused();
         let given = self.c.arguments(one.given.as_deref().unwrap_or_default());
         let expr = self.c.builder.function(name, given, one.span);
-        self.hold(expr, 1);
-        self.unused = Some(one.span);
+        self.run.load(Some(expr));
+        self.run.links = 1;
+        self.run.unused = Some(one.span);
     }
 
     /// A function of the text.
-    pub(super) fn own_call(&mut self, unit: u32, one: &Instruction, at: usize) {
+    pub(super) fn own_call(&mut self, unit: u32, one: &Instruction) {
         let mut given = Vec::new();
         if self.takes_accumulator(one) {
-            let Some(expr) = self.linked(&one.word.text, one.word.span) else {
+            let Some(expr) = self.take(&one.word.text, one.word.span) else {
                 self.c.arguments(&one.operands);
                 return;
             };
@@ -53,20 +52,19 @@ impl Walk<'_, '_, '_, '_> {
         }
         given.extend(self.c.arguments(&one.operands));
         given.extend(self.c.arguments(one.given.as_deref().unwrap_or_default()));
-        self.function(unit, given, one.word.span, one.span, at);
+        self.function(unit, given, one.word.span, one.span);
     }
 
-    fn function(&mut self, unit: u32, given: Vec<Argument>, name: Span, at: Span, line: usize) {
-        let changes = given.iter().any(|argument| argument.out) || self.lends(unit);
-        let expr = self.c.builder.call(unit, given, name, at);
-        if changes {
-            self.before(&Changes::Anything, false);
+    fn function(&mut self, unit: u32, given: Vec<Argument>, name: Span, at: Span) {
+        if given.iter().any(|argument| argument.out) || self.lends(unit) {
+            self.before_call(&given);
         }
-        self.hold(expr, 1);
+        let expr = self.c.builder.call(unit, given, name, at);
+        self.run.load(Some(expr));
         // What it may change is changed here, and once.
         self.settle();
-        if self.needs[line + 1] {
-            self.unused = Some(at);
+        if self.needed() {
+            self.run.unused = Some(at);
         }
     }
 
@@ -77,7 +75,7 @@ impl Walk<'_, '_, '_, '_> {
     }
 
     /// CAL, CALC, CALCN.
-    pub(super) fn cal(&mut self, one: &Instruction, at: usize) {
+    pub(super) fn cal(&mut self, one: &Instruction) {
         let Some(Arg { node, .. }) = one.operands.first() else {
             let words = ["CAL".into(), "CAL T1 (IN := I1)".into()];
             return self.tell(Code::OperandMissing, one.word.span, words);
@@ -106,10 +104,10 @@ impl Walk<'_, '_, '_, '_> {
         {
             self.warn_unused();
             let given = self.all(&given);
-            return self.function(unit, given, name.span, one.span, at);
+            return self.function(unit, given, name.span, one.span);
         }
         let condition = match conditional {
-            true => self.condition(one),
+            true => self.condition(&one.word.text, one.jump()),
             false => {
                 self.warn_unused();
                 None
@@ -117,45 +115,46 @@ impl Walk<'_, '_, '_, '_> {
         };
         if let Some(unit) = function {
             let given = self.all(&given);
+            self.before_call(&given);
             let statement = self
                 .c
                 .builder
                 .call_statement(unit, given, name.span, one.span);
             if let (Some(condition), Some(statement)) = (condition, statement) {
-                self.conditional(condition, vec![statement], one.span, false);
+                self.conditional(condition, vec![statement], one.span);
             }
         } else {
             let known = self.c.builder.find(&name.text).is_some();
             if !known && !self.c.builder.is_hidden(&name.text) {
                 self.c.builder.callee(&name.text, name.span);
-                self.acc = Acc::Wrong;
+                self.run.acc = Acc::Wrong;
                 return;
             }
             let Some(target) = self.c.target(path) else {
-                self.acc = Acc::Wrong;
+                self.run.acc = Acc::Wrong;
                 return;
             };
             let given = self.all(&given);
+            self.before_call(&given);
             let body = self.c.builder.block(target, given, one.span);
             match (conditional, condition) {
-                (true, Some(condition)) => self.conditional(condition, body, one.span, false),
+                (true, Some(condition)) => self.conditional(condition, body, one.span),
                 (true, None) => {}
-                (false, _) => self.run(body),
+                (false, _) => body.into_iter().for_each(|one| self.push(one)),
             }
         }
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
     }
 
     /// `T1 (IN := I1)` without CAL.
-    pub(super) fn cal_named(&mut self, one: &Instruction, _: usize) {
+    pub(super) fn cal_named(&mut self, one: &Instruction) {
         self.warn_unused();
         let target = self.c.builder.name(&one.word.text, one.word.span);
         let given = self.c.arguments(one.given.as_deref().unwrap_or_default());
         if let Some(target) = target {
-            let body = self.c.builder.block(target, given, one.span);
-            self.run(body);
+            self.call_block(target, given, one.span);
         }
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
     }
 
     fn function_named(&self, name: &str) -> Option<u32> {
@@ -176,9 +175,16 @@ impl Walk<'_, '_, '_, '_> {
         all
     }
 
-    fn run(&mut self, body: Vec<Stmt>) {
-        self.before(&Changes::Anything, false);
+    fn call_block(&mut self, target: Target, given: Vec<Argument>, at: Span) {
+        self.before_call(&given);
+        let body = self.c.builder.block(target, given, at);
         body.into_iter().for_each(|one| self.push(one));
+    }
+
+    /// Statements that are done where the condition holds.
+    fn conditional(&mut self, condition: Expr, body: Vec<Stmt>, at: Span) {
+        let kind = StmtKind::If(vec![(condition, body)], Vec::new());
+        self.push(Stmt { kind, at });
     }
 
     /// The instance that an operator names.
@@ -204,7 +210,7 @@ impl Walk<'_, '_, '_, '_> {
         let expr = self.take(&one.word.text, one.word.span);
         let target = self.instance(one);
         let (Some(expr), Some(target)) = (expr, target) else {
-            self.acc = Acc::Wrong;
+            self.run.acc = Acc::Wrong;
             return;
         };
         let names: [&str; 3] = match op {
@@ -229,65 +235,39 @@ impl Walk<'_, '_, '_, '_> {
         let expr = self.take(&one.word.text, one.word.span);
         let target = self.instance(one);
         let (Some(expr), Some(target)) = (expr, target) else {
-            self.acc = Acc::Wrong;
+            self.run.acc = Acc::Wrong;
             return;
         };
         let name = one.word.text.to_uppercase();
-        let body = self
-            .c
-            .builder
-            .block(target, vec![named(&name, expr)], one.span);
-        self.run(body);
-        self.acc = Acc::Empty;
+        self.call_block(target, vec![named(&name, expr)], one.span);
+        self.run.acc = Acc::Empty;
     }
 
     /// `PT T1`, `PV C1`
-    pub(super) fn preset(&mut self, one: &Instruction, at: usize) {
-        let expr = self.take(&one.word.text, one.word.span);
+    pub(super) fn preset(&mut self, one: &Instruction) {
+        let expr = self.peek(&one.word.text, one.word.span);
         let target = self.instance(one);
         let (Some(expr), Some(target)) = (expr, target) else {
             return;
         };
         let member = self.c.builder.member(target, &one.word.text, one.span);
         let statement = member.and_then(|to| self.c.builder.assign(to, expr, one.span));
-        let needed = self.needs[at + 1];
-        statement
-            .into_iter()
-            .for_each(|one| self.store(one, needed));
+        let needed = self.needed();
+        statement.into_iter().for_each(|one| self.does(one, needed));
     }
 
     /// Calls an instance, and loads one of its outputs.
     fn call_for(&mut self, target: Target, given: Vec<Argument>, output: &str, at: Span) {
-        let body = self.c.builder.block(target.clone(), given, at);
-        self.run(body);
+        self.call_block(target.clone(), given, at);
         let output = self.c.builder.member(target, output, at);
         let held = self.c.builder.read(output, at);
-        self.hold(held, 0);
+        self.run.load(Some(held));
     }
 
     /// Whether a bit has risen or fallen since this was asked last.
     pub(super) fn edge(&mut self, expr: Expr, at: Span) -> Expr {
-        if self.c.builder.kind_here() == Some(UnitKind::Function) {
-            let word = self.c.builder.written(at);
-            self.tell(Code::Stateless, at, [word.into()]);
-            return self.c.builder.wrong(at);
-        }
-        let name = edge_name(self.line, self.edges);
-        self.edges += 1;
-        // There may have been too many to declare, which has been told.
-        let known = self.c.builder.find(&name).is_some();
-        let target = known.then(|| self.c.builder.name(&name, at)).flatten();
-        let Some(target) = target else {
-            return self.c.builder.wrong(at);
-        };
-        let body = self
-            .c
-            .builder
-            .block(target.clone(), vec![named("CLK", expr)], at);
-        // It changes nothing that a text can name.
-        body.into_iter().for_each(|one| self.push(one));
-        let q = self.c.builder.member(target, "Q", at);
-        self.c.builder.read(q, at)
+        let expr = self.edge_of(expr, at);
+        expr.unwrap_or_else(|| self.c.builder.wrong(at))
     }
 
     /// EU, ED
@@ -295,18 +275,18 @@ impl Walk<'_, '_, '_, '_> {
         let Some(expr) = self.take(&one.word.text, one.word.span) else {
             return;
         };
-        self.acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
         let held = self.edge(expr, one.span);
-        self.hold(held, 0);
-        self.unused = Some(one.span);
+        self.run.load(Some(held));
+        self.run.unused = Some(one.span);
     }
 
     /// PLS, PLF
-    pub(super) fn differentiate(&mut self, one: &Instruction, at: usize) {
-        if self.needs[at + 1] {
+    pub(super) fn differentiate(&mut self, one: &Instruction) {
+        if self.needed() {
             self.settle_costly();
         }
-        let Some(expr) = self.take(&one.word.text, one.word.span) else {
+        let Some(expr) = self.peek(&one.word.text, one.word.span) else {
             return;
         };
         let changed = self.edge(expr, one.span);
@@ -314,10 +294,8 @@ impl Walk<'_, '_, '_, '_> {
             return;
         };
         let statement = self.c.builder.assign(target, changed, one.span);
-        let needed = self.needs[at + 1];
-        statement
-            .into_iter()
-            .for_each(|one| self.store(one, needed));
+        let needed = self.needed();
+        statement.into_iter().for_each(|one| self.does(one, needed));
     }
 }
 
@@ -327,7 +305,7 @@ impl Checker<'_, '_, '_> {
         if kind == UnitKind::Function {
             return;
         }
-        for (at, line) in lines.iter().enumerate() {
+        for line in lines {
             let Line::Does(one) = line else { continue };
             let spelling = one.spelling;
             let edge = spelling.and_then(|spelling| match spelling.op {
@@ -335,39 +313,12 @@ impl Checker<'_, '_, '_> {
                 _ => spelling.edge,
             });
             let Some(edge) = edge else { continue };
-            let block = match edge {
-                Opcode::FallingEdge => Standard::FTrig,
-                _ => Standard::RTrig,
-            };
-            for number in 0..one.operands.len().max(1) {
-                let types = &mut self.builder.tree.types;
-                let ty = types.add_kind(Kind::Standard(block), block.cells());
-                let traits = Traits {
-                    unseen: true,
-                    ..Traits::default()
-                };
-                let name = edge_name(at, number);
-                let made = self
-                    .builder
-                    .declare(&name, one.span, ty, Section::Var, traits);
-                if made.is_none() {
+            let more = one.operands.iter().skip(1).map(|arg| arg.node.span);
+            for at in std::iter::once(one.span).chain(more) {
+                if !declare_edge(&mut self.builder, edge, at) {
                     return;
                 }
             }
         }
-    }
-}
-
-/// The instance of an edge, by its line and its number there.
-fn edge_name(line: usize, number: usize) -> String {
-    format!("#edge {line} {number}")
-}
-
-fn named(name: &str, expr: Expr) -> Argument {
-    Argument {
-        name: Some((name.to_owned(), expr.at)),
-        out: false,
-        at: expr.at,
-        given: Given::Value(expr),
     }
 }

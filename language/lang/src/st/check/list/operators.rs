@@ -1,45 +1,16 @@
 //! What each line does with the accumulator.
 
 use super::super::super::ast::{Arg, Instruction, Line, Node, NodeKind};
-use super::walk::{Acc, Frame, Walk};
-use super::{MOST_FRAMES, is_load};
+use super::walk::{Walk, accumulated};
 use crate::diagnostics::{Code, Span};
+use crate::list::{
+    Acc, Accumulator, Branches, Decides, Defers, Flow, Machine, Opens, Stack, Waiting,
+};
 use crate::operators::{self, Op};
 use crate::typed::build::{Argument, Given, Named, Target, both};
 use crate::typed::{Base, Expr, ExprKind, Kind, TypeId, UnitKind, Value};
-use unoclp_core::isa::Opcode;
 
 impl Walk<'_, '_, '_, '_> {
-    /// Whether a line begins with what the accumulator holds.
-    pub(super) fn reads(&self, line: &Line) -> bool {
-        let one = match line {
-            Line::Does(one) => one,
-            Line::Close(_) => return true,
-            Line::Label(_) | Line::Wrong => return false,
-        };
-        let Some(spelling) = one.spelling else {
-            return self.takes_accumulator(one);
-        };
-        match spelling.op {
-            Op::Load | Op::Recall | Op::Release => false,
-            Op::Jump | Op::Return | Op::Call => spelling.conditional,
-            Op::End => false,
-            Op::Part(opcode) => opcode == Opcode::If,
-            _ if self.own_function(one).is_some() => self.takes_accumulator(one),
-            _ => one.given.is_none(),
-        }
-    }
-
-    /// Whether a line that does not read the accumulator fills or forgets it.
-    pub(super) fn fills(&self, line: &Line) -> bool {
-        let op = match line {
-            Line::Does(one) => one.spelling.map(|spelling| spelling.op),
-            Line::Close(_) | Line::Label(_) => return false,
-            Line::Wrong => return true,
-        };
-        !matches!(op, Some(Op::Jump | Op::Return | Op::End))
-    }
-
     /// The function of the text that an operator names.
     pub(super) fn own_function(&self, one: &Instruction) -> Option<u32> {
         match self.c.builder.find(&one.word.text) {
@@ -51,20 +22,15 @@ impl Walk<'_, '_, '_, '_> {
         }
     }
 
-    pub(super) fn instruction(&mut self, one: &Instruction, at: usize) {
-        let part = one.spelling.map(|spelling| spelling.op);
-        let joins = matches!(part, Some(Op::Part(Opcode::Else | Opcode::EndIf)));
-        if std::mem::take(&mut self.unreachable) && !joins {
-            self.tell(Code::Unreachable, one.span, []);
-        }
+    pub(super) fn instruction(&mut self, one: &Instruction) {
         let Some(spelling) = one.spelling.filter(|_| self.own_function(one).is_none()) else {
-            return self.by_name(one, at);
+            return self.by_name(one);
         };
         let needs_operand = spelling.op.takes_operand() && one.given.is_none();
         if needs_operand && one.operands.is_empty() && one.open.is_none() {
             let word = one.word.text.to_uppercase();
             let like = format!("{word} x");
-            self.acc = Acc::Wrong;
+            self.run.acc = Acc::Wrong;
             return self.tell(
                 Code::OperandMissing,
                 one.word.span,
@@ -73,30 +39,34 @@ impl Walk<'_, '_, '_, '_> {
         }
         match spelling.op {
             Op::Load => self.load(one),
-            Op::Store => self.st(one, at),
-            Op::Set => self.set(one, true, at),
-            Op::Reset => self.set(one, false, at),
+            Op::Store => self.st(one),
+            Op::Set => self.set(one, true),
+            Op::Reset => self.set(one, false),
             Op::Not => self.not(one),
-            Op::And | Op::Or | Op::Xor | Op::Number(_) | Op::Compare(_) => self.operate(one, at),
-            Op::Shift(_) | Op::Unary(_) => self.operate(one, at),
-            Op::Jump => self.jump(one, at),
-            Op::Return | Op::End => self.ret(one, at),
-            Op::Part(opcode) => self.part(one, opcode),
-            Op::Call => self.cal(one, at),
+            Op::And | Op::Or | Op::Xor | Op::Number(_) | Op::Compare(_) => self.operate(one),
+            Op::Shift(_) | Op::Unary(_) => self.operate(one),
+            Op::Jump => self.jump_line(one),
+            Op::Return | Op::End => self.ret_line(one),
+            Op::Part(opcode) => self.part(one.word.span, opcode),
+            Op::Call => self.cal(one),
             Op::Timer(_) | Op::CountUp | Op::CountDown => self.timer_or_counter(one),
             Op::Input(_) => self.input(one),
-            Op::Preset => self.preset(one, at),
+            Op::Preset => self.preset(one),
             Op::Edge(_) => self.edge_of_accumulator(one),
-            Op::Differentiate(_) => self.differentiate(one, at),
-            Op::Keep => self.keep(one),
-            Op::Recall | Op::Release => self.recall(one, spelling.op),
+            Op::Differentiate(_) => self.differentiate(one),
+            Op::Keep => self.keep_result(one.span),
+            Op::Recall | Op::Release => self.recall_result(spelling.op, one.word.span, one.span),
+            Op::AndBlock | Op::OrBlock => self.pop_result(spelling.op, one.word.span),
+            Op::Push => self.push_line(one),
+            Op::Table(opcode) => self.table_line(one, opcode),
+            Op::Code => self.code(one),
             _ => self.not_here(one),
         }
     }
 
     /// An operator of texts without types.
     pub(super) fn not_here(&mut self, one: &Instruction) {
-        self.acc = Acc::Wrong;
+        self.run.acc = Acc::Wrong;
         let help = (
             "it belongs to texts without REAL, TYPE and the functions of the norm; write what it does with LD, ST and the operators of the norm",
             "ele pertence a textos sem REAL, TYPE e as funções da norma; escreva o que ele faz com LD, ST e os operadores da norma",
@@ -106,7 +76,7 @@ impl Walk<'_, '_, '_, '_> {
     }
 
     fn load(&mut self, one: &Instruction) {
-        if self.frames.is_empty() || !matches!(self.acc, Acc::Value(_)) {
+        if self.run.frames.is_empty() || !matches!(self.run.acc, Acc::Value(_)) {
             self.warn_unused();
         }
         let Some(arg) = one.operands.first() else {
@@ -121,14 +91,15 @@ impl Walk<'_, '_, '_, '_> {
             let whole = |target: &Target| !self.c.builder.tree.types.is_scalar(target.ty);
             match target {
                 Some(target) if whole(&target) => {
-                    self.acc = Acc::Whole(target);
+                    self.run.load(None);
+                    self.run.acc = Acc::Whole(target);
                     return;
                 }
                 Some(target) => {
                     let expr = self.c.builder.read(Some(target), arg.node.span);
                     self.loaded(expr, one);
                 }
-                None => self.acc = Acc::Wrong,
+                None => self.run.acc = Acc::Wrong,
             }
             return;
         }
@@ -169,18 +140,19 @@ impl Walk<'_, '_, '_, '_> {
 
     fn loaded(&mut self, expr: Expr, one: &Instruction) {
         let mut expr = expr;
-        let inverts = std::mem::take(&mut self.inverts);
+        let inverts = std::mem::take(&mut self.run.inverts);
         if one.spelling.and_then(|spelling| spelling.edge).is_some() {
             expr = self.edge(expr, one.span);
         }
         if inverts != one.spelling.is_some_and(|spelling| spelling.negated) {
             expr = self.c.builder.not(expr, one.span);
         }
-        self.hold(expr, 0);
-        self.unused = Some(one.span);
+        self.run.load(Some(expr));
+        self.run.unused = Some(one.span);
     }
 
-    fn st(&mut self, one: &Instruction, at: usize) {
+    fn st(&mut self, one: &Instruction) {
+        self.undecided();
         let Some(Arg { node, .. }) = one.operands.first() else {
             return;
         };
@@ -193,22 +165,20 @@ impl Walk<'_, '_, '_, '_> {
             return self.tell(Code::NotWritable, node.span, [written.into()]);
         };
         let Some(target) = self.c.target(path) else {
-            self.unused = None;
+            self.run.unused = None;
             return;
         };
-        let needed = self.needs[at + 1];
-        if let Acc::Whole(from) = self.acc.clone() {
-            self.unused = None;
+        let needed = self.needed();
+        if let Acc::Whole(from) = self.run.acc.clone() {
+            self.run.unused = None;
             let statement = self.c.builder.copy(target, from, one.span);
-            return statement
-                .into_iter()
-                .for_each(|one| self.store(one, needed));
+            return statement.into_iter().for_each(|one| self.does(one, needed));
         }
         let stays = self.stays(&target);
         if needed && !stays {
             self.settle_costly();
         }
-        let Some(mut value) = self.take(&one.word.text, one.word.span) else {
+        let Some(mut value) = self.peek(&one.word.text, one.word.span) else {
             return;
         };
         if one.spelling.is_some_and(|spelling| spelling.negated) {
@@ -216,22 +186,22 @@ impl Walk<'_, '_, '_, '_> {
         }
         // What has just been stored in a bit is there for the next store.
         let is_read = |acc: &Acc| matches!(acc, Acc::Value(expr) if expr.base == Base::Bool && matches!(expr.kind, ExprKind::Read(_)));
-        let costs = self.links > 0 || is_read(&self.acc);
+        let costs = self.run.links > 0 || is_read(&self.run.acc);
         let reads = stays && costs && !one.spelling.is_some_and(|s| s.negated);
         let again = reads.then(|| target.clone());
         let Some(statement) = self.c.builder.assign(target, value, one.span) else {
             return;
         };
-        self.store(statement, needed && again.is_none());
+        self.does(statement, needed && again.is_none());
         if let Some(again) = again.filter(|_| needed) {
             let held = self.c.builder.read(Some(again), one.span);
-            self.hold(held, 0);
+            self.run.load(Some(held));
         }
     }
 
     /// Whether a variable holds after ST just what the accumulator does.
     fn stays(&self, target: &Target) -> bool {
-        let Acc::Value(expr) = &self.acc else {
+        let Acc::Value(expr) = &self.run.acc else {
             return false;
         };
         let types = &self.c.builder.tree.types;
@@ -243,86 +213,92 @@ impl Walk<'_, '_, '_, '_> {
     }
 
     /// S, R.
-    fn set(&mut self, one: &Instruction, to: bool, at: usize) {
-        let needed = self.needs[at + 1];
-        if needed {
-            self.settle_costly();
-        }
-        let mut condition = self.condition(one);
-        for (number, arg) in one.operands.iter().enumerate() {
+    fn set(&mut self, one: &Instruction, to: bool) {
+        let held = self.run.decided.is_some() || {
+            let expr = self.take(&one.word.text, one.word.span);
+            let condition = expr.and_then(|expr| self.tested(expr, one.span));
+            self.hold(condition);
+            matches!(self.run.acc, Acc::Value(_))
+        };
+        self.run.unused = None;
+        let mut body = Vec::new();
+        for arg in &one.operands {
             let NodeKind::Path(path) = &arg.node.kind else {
                 let written = self.c.builder.written(arg.node.span);
                 return self.tell(Code::NotWritable, arg.node.span, [written.into()]);
             };
             let target = self.c.target(path);
-            let value = self
-                .c
-                .builder
-                .literal(Base::Bool, Value::truth(to), one.span);
-            let statement = target.and_then(|to| self.c.builder.assign(to, value, one.span));
-            let (Some(held), Some(statement)) = (condition.clone(), statement) else {
-                continue;
-            };
-            let more = number + 1 < one.operands.len();
-            self.conditional(held, vec![statement], one.span, needed || more);
-            if more {
-                condition = self.condition(one);
-            }
+            let value = Value::truth(to);
+            let value = self.c.builder.literal(Base::Bool, value, one.span);
+            body.extend(target.and_then(|to| self.c.builder.assign(to, value, one.span)));
+        }
+        if held && !body.is_empty() {
+            self.decide(body, one.span);
         }
     }
 
     fn not(&mut self, one: &Instruction) {
-        let Some(expr) = self.linked(&one.word.text, one.word.span) else {
+        let Some(expr) = self.take(&one.word.text, one.word.span) else {
             return;
         };
         let expr = self.c.builder.not(expr, one.span);
-        let links = self.links;
-        self.hold(expr, links);
-        self.unused = Some(one.span);
+        self.hold(Some(expr));
+        self.run.unused = Some(one.span);
     }
 
     /// An operation on the accumulator and what follows the operator, or in parentheses on the lines that follow.
-    fn operate(&mut self, one: &Instruction, at: usize) {
+    fn operate(&mut self, one: &Instruction) {
         let word = one.word.text.to_uppercase();
         let Some(name) = self.function_of(one, &word) else {
             return self.not_here(one);
         };
         if let Some(negated) = one.open {
-            return self.defer(one, name, negated, at);
+            return self.open(one, name, negated);
         }
         if one.given.is_some() {
             return self.formal(one, &name);
         }
-        let Some(expr) = self.linked(&one.word.text, one.word.span) else {
+        let Some(expr) = self.take(&one.word.text, one.word.span) else {
             self.c.arguments(&one.operands);
             return;
         };
-        let links = self.links + 1;
         let ty = expr.ty;
         if name == "NEG" {
             let expr = self.c.builder.negate(expr, one.span);
-            self.hold(expr, links);
-            self.unused = Some(one.span);
+            self.hold(Some(expr));
+            self.link();
+            self.run.unused = Some(one.span);
             return;
         }
+        if self.is_popped(one) {
+            let popped = self.popped_number(one.span);
+            let made = popped.map(|popped| {
+                let all = vec![accumulated(popped), accumulated(expr)];
+                self.c.builder.function(&name, all, one.span)
+            });
+            self.hold(made);
+            return self.link();
+        }
         let mut all = vec![accumulated(expr)];
-        for arg in &one.operands {
-            let given = self.operand(arg, one, ty);
+        for (number, arg) in one.operands.iter().enumerate() {
+            let at = if number == 0 { one.span } else { arg.node.span };
+            let given = self.operand(arg, one, at, ty);
             all.push(given);
         }
         let expr = self.c.builder.function(&name, all, one.span);
-        self.hold(expr, links);
-        self.unused = Some(one.span);
+        self.hold(Some(expr));
+        self.link();
+        self.run.unused = Some(one.span);
     }
 
     /// An operand; a value of the accumulator's own enumeration is looked for there.
-    fn operand(&mut self, arg: &Arg, one: &Instruction, with: TypeId) -> Argument {
+    fn operand(&mut self, arg: &Arg, one: &Instruction, at: Span, with: TypeId) -> Argument {
         let spelling = one.spelling;
         let negated = spelling.is_some_and(|spelling| spelling.negated);
         let edge = spelling.is_some_and(|spelling| spelling.edge.is_some());
         let mut expr = self.value(&arg.node, Some(with));
         if edge {
-            expr = self.edge(expr, one.span);
+            expr = self.edge(expr, at);
         }
         if negated {
             expr = self.c.builder.not(expr, arg.node.span);
@@ -353,106 +329,39 @@ impl Walk<'_, '_, '_, '_> {
     }
 
     /// `AND(`
-    fn defer(&mut self, one: &Instruction, name: String, negated: bool, at: usize) {
-        if self.frames.len() == MOST_FRAMES {
-            self.tell(Code::TooDeep, one.span, []);
-        }
-        if self.frames.len() >= MOST_FRAMES {
-            self.acc = Acc::Wrong;
-        }
-        let acc = match self.linked(&one.word.text, one.word.span) {
-            Some(expr) => Acc::Value(expr),
-            None => Acc::Wrong,
-        };
-        self.frames.push(Frame {
-            name,
-            acc,
-            negated: one.spelling.is_some_and(|spelling| spelling.negated),
+    fn open(&mut self, one: &Instruction, name: String, negated: bool) {
+        let inverts = one.spelling.is_some_and(|spelling| spelling.negated);
+        let opens = Opens {
+            what: &one.word.text,
+            operator: one.word.span,
             at: one.span,
-        });
-        if let Some(arg) = one.operands.first() {
-            let mut expr = self.c.expr(&arg.node, None);
-            if negated {
-                expr = self.c.builder.not(expr, one.span);
-            }
-            self.hold(expr, 0);
-        } else {
-            self.inverts = negated;
-            if !is_load(self.lines.get(at + 1)) {
-                self.inverts = false;
-            }
-        }
-    }
-
-    /// `)`
-    pub(super) fn close(&mut self, span: Span) {
-        let Some(frame) = self.frames.pop() else {
-            if !self.lost {
-                self.tell(Code::CloseWithoutOpen, span, []);
-            }
-            return;
+            negated,
+            loads: is_load(self.lines.get(self.run.at + 1)),
         };
-        let Some(mut inner) = self.take(")", span) else {
-            return;
-        };
-        if frame.negated {
-            inner = self.c.builder.not(inner, span);
-        }
-        let Acc::Value(outer) = frame.acc else {
-            self.acc = Acc::Wrong;
-            return;
-        };
-        let links = self.links + 1;
-        let all = vec![accumulated(outer), accumulated(inner)];
-        let at = frame.at.to(span);
-        let expr = self.c.builder.function(&frame.name, all, at);
-        self.hold(expr, links);
-        self.unused = Some(at);
-    }
-
-    /// MPS
-    fn keep(&mut self, one: &Instruction) {
-        self.settle_costly();
-        if self.take(&one.word.text, one.word.span).is_some() {
-            self.kept.push(self.acc.clone());
-        }
-    }
-
-    /// MRD, MPP
-    fn recall(&mut self, one: &Instruction, op: Op) {
-        let kept = match op {
-            Op::Recall => self.kept.last().cloned(),
-            _ => self.kept.pop(),
-        };
-        let Some(kept) = kept else {
-            let why = ("write MPS before it", "escreva MPS antes");
-            let words = [one.word.text.as_str().into(), why.into()];
-            return self.tell(Code::Structure, one.word.span, words);
-        };
-        self.warn_unused();
-        self.acc = kept;
-        self.links = 0;
+        let first = one.operands.first();
+        let first = first.map(|arg| |walk: &mut Self| Some(walk.value(&arg.node, None)));
+        self.defer(Waiting::Function(name, inverts), &opens, first);
     }
 
     /// A function, or a block, by its name alone.
-    fn by_name(&mut self, one: &Instruction, at: usize) {
+    fn by_name(&mut self, one: &Instruction) {
         if let Some(unit) = self.own_function(one) {
-            return self.own_call(unit, one, at);
+            return self.own_call(unit, one);
         }
         if self.c.calls_itself(&one.word) {
-            self.acc = Acc::Wrong;
+            self.run.acc = Acc::Wrong;
             return;
         }
         let word = one.word.text.clone();
         let variable = matches!(self.c.builder.find(&word), Some(Named::Variable(_)));
         if variable && one.given.is_some() {
-            return self.cal_named(one, at);
+            return self.cal_named(one);
         }
         if self.c.builder.is_function(&word) {
-            return self.operate(one, at);
+            return self.operate(one);
         }
-        self.acc = Acc::Wrong;
-        self.unused = None;
+        self.run.acc = Acc::Wrong;
+        self.run.unused = None;
         if self.c.builder.is_hidden(&word) {
             return;
         }
@@ -482,12 +391,7 @@ impl Walk<'_, '_, '_, '_> {
     }
 }
 
-/// What an operation takes from the accumulator.
-pub(super) fn accumulated(expr: Expr) -> Argument {
-    Argument {
-        name: None,
-        out: false,
-        at: expr.at,
-        given: Given::Value(expr),
-    }
+/// Whether this operator loads.
+fn is_load(line: Option<&Line>) -> bool {
+    matches!(line, Some(Line::Does(one)) if one.spelling.is_some_and(|s| s.op == Op::Load))
 }

@@ -13,6 +13,8 @@ use std::collections::HashMap;
 pub(crate) struct Labels {
     /// The line of each that a jump may lead to, by its name as the reader compares names.
     pub lines: HashMap<String, usize>,
+    /// Where all of them stand.
+    pub all: Vec<Span>,
     /// Where the accumulator waits that is needed after a label.
     pub carried: HashMap<usize, Target>,
     /// The statement that each leads to; those after the body's own are of IF.
