@@ -26,12 +26,15 @@ export class Panels {
   /** Has what stands on the panel show what the points are. */
   private moves: (() => void)[] = [];
   private trends: (() => void)[] = [];
+  /** Lets go of what is pressed. */
+  private releases: ((atOnce: boolean) => void)[] = [];
 
   constructor(private readonly state: State) {
     this.root.append(this.bar, this.sheet);
     state.panels.follow(() => this.build());
     speak.follow(() => this.build());
     state.boards.follow(() => this.move());
+    addEventListener("pagehide", () => this.release(true));
     setInterval(() => {
       if (!this.root.hidden && document.visibilityState === "visible") for (const trend of this.trends) trend();
     }, EVERY);
@@ -48,8 +51,10 @@ export class Panels {
   }
 
   private build(): void {
+    this.release();
     if (this.root.hidden) return;
     const { panel } = this;
+    this.releases = [];
     this.moves = [];
     this.trends = [];
     if (!panel) return;
@@ -60,7 +65,12 @@ export class Panels {
     this.move();
   }
 
+  private release(atOnce = false): void {
+    for (const release of this.releases) release(atOnce);
+  }
+
   private async edit(panel: Panel): Promise<void> {
+    this.release();
     const { edit } = await import("./edit");
     this.bar.replaceChildren();
     this.moves = [];
@@ -159,26 +169,30 @@ export class Panels {
     return place;
   }
 
-  /** Writes 1 while it is pressed; it is let go however the pointer, the key or the page leaves it. */
+  /** Writes 1 while it is pressed; it is let go however the pointer, the key, the panel or the page leaves it. */
   private button(item: Item): HTMLElement {
-    let isPressed = false;
-    const press = (): void => {
-      if (isPressed || button.disabled) return;
-      isPressed = true;
-      void this.write(item, 1);
+    let press: Promise<boolean> | null = null;
+    const begin = (): void => {
+      if (press || button.disabled) return;
+      press = this.write(item, 1);
       button.classList.add("pressed");
     };
-    const leave = (): void => {
-      if (!isPressed) return;
-      isPressed = false;
+    const end = (atOnce = false): void => {
+      const before = press;
+      if (!before) return;
+      press = null;
       button.classList.remove("pressed");
-      void this.write(item, 0, true);
+      const release = (): void => void this.write(item, 0, true);
+      // Two requests may overtake each other: the second waits for the first, unless the page goes.
+      if (atOnce) release();
+      else void before.then(release);
     };
+    const leave = (): void => end();
     const button = h("button", {
-      type: "button", class: "push", pointerdown: press, pointerup: leave, pointerleave: leave, pointercancel: leave, blur: leave,
-      keydown: (event) => { if (["Enter", " "].includes((event as KeyboardEvent).key)) press(); }, keyup: leave,
+      type: "button", class: "push", pointerdown: begin, pointerup: leave, pointerleave: leave, pointercancel: leave, blur: leave,
+      keydown: (event) => { if (["Enter", " "].includes((event as KeyboardEvent).key)) begin(); }, keyup: leave,
     }, labelOf(item));
-    addEventListener("pagehide", leave);
+    this.releases.push(end);
     this.moves.push(() => {
       button.disabled = !this.state.operates;
       button.dataset["on"] = String(this.of(item) === 1);
