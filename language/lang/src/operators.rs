@@ -160,8 +160,8 @@ pub(crate) fn find(word: &str) -> Option<Spelling> {
     Some(match word {
         "LD" => plain(Op::Load),
         "ST" => plain(Op::Store),
-        "S" => plain(Op::Set),
-        "R" => plain(Op::Reset),
+        "S" | "S1" => plain(Op::Set),
+        "R" | "R1" => plain(Op::Reset),
         "AND" => plain(Op::And),
         "OR" => plain(Op::Or),
         "XOR" => plain(Op::Xor),

@@ -6,7 +6,7 @@ use super::used::parts;
 use super::walk::Walk;
 use crate::ast::{Instr, Operand, UnitKind};
 use crate::diagnostics::{Code, Span};
-use crate::list::{Acc, Accumulator, Decides, Machine};
+use crate::list::{Acc, Accumulator, Decides, Machine, named};
 use crate::names::kept;
 use crate::operators::Op;
 use crate::typed::build::{Named, Target};
@@ -270,9 +270,15 @@ impl Walk<'_, '_, '_> {
             self.hold(bit);
         }
         let span = operand.span;
+        // S1 and R1 are inputs of latches.
+        let is_of_latch = self.front.names.written(instr.span).ends_with('1');
         let target = match self.meaning(operand) {
+            Is::Block(target, block) if !is_of_latch || block.latch_input(set).is_some() => {
+                return self.set_block(target, block, set, instr);
+            }
+            Is::Variable(_) | Is::Block(..) if is_of_latch => return self.not_callable(operand),
             Is::Variable(target) => target,
-            Is::Block(target, block) => return self.set_block(target, block, set, instr),
+            Is::Block(..) => return,
             Is::Instance(_) => {
                 self.front.writes = true;
                 let name = self.spelled(operand).into();
@@ -333,6 +339,13 @@ impl Walk<'_, '_, '_> {
     fn set_block(&mut self, target: Target, block: Standard, set: bool, instr: &Instr) {
         self.front.writes = true;
         let span = instr.whole;
+        if let Some(input) = block.latch_input(set) {
+            let Some(bit) = self.take_bit(input, instr.span) else {
+                return;
+            };
+            self.hold(Some(bit.clone()));
+            return self.run_block(&target, vec![named(input, bit)], span);
+        }
         let order = match set {
             true if block.is_counter() => Order::Load,
             false if block.is_counter() || block.is_timer() => Order::Reset,

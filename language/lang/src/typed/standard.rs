@@ -232,6 +232,17 @@ impl Standard {
         matches!(self, Standard::RTrig | Standard::FTrig)
     }
 
+    /// The input that sets or resets a latch; none of another block.
+    pub(crate) const fn latch_input(self, set: bool) -> Option<&'static str> {
+        match (self, set) {
+            (Standard::Sr, true) => Some("S1"),
+            (Standard::Sr, false) => Some("R"),
+            (Standard::Rs, true) => Some("S"),
+            (Standard::Rs, false) => Some("R1"),
+            _ => None,
+        }
+    }
+
     /// Whether it is one of the board's timers.
     pub const fn is_timer(self) -> bool {
         matches!(

@@ -232,14 +232,18 @@ impl Walk<'_, '_, '_, '_> {
 
     /// `CLK rise`, `CU count`, `IN T1`: the block is called with the accumulator as this input.
     pub(super) fn input(&mut self, one: &Instruction) {
+        self.give(one, &one.word.text.to_uppercase());
+    }
+
+    /// Calls a block with the accumulator as one of its inputs.
+    pub(super) fn give(&mut self, one: &Instruction, input: &str) {
         let expr = self.take(&one.word.text, one.word.span);
         let target = self.instance(one);
         let (Some(expr), Some(target)) = (expr, target) else {
             self.run.acc = Acc::Wrong;
             return;
         };
-        let name = one.word.text.to_uppercase();
-        self.call_block(target, vec![named(&name, expr)], one.span);
+        self.call_block(target, vec![named(input, expr)], one.span);
         self.run.acc = Acc::Empty;
     }
 

@@ -214,6 +214,12 @@ impl Walk<'_, '_, '_, '_> {
 
     /// S, R.
     fn set(&mut self, one: &Instruction, to: bool) {
+        // S1 and R1 are inputs of latches.
+        let own = one.word.text.to_uppercase();
+        let input = self.latch_input(one, to);
+        if let Some(input) = input.or(Some(&*own).filter(|word| word.ends_with('1'))) {
+            return self.give(one, input);
+        }
         let held = self.run.decided.is_some() || {
             let expr = self.take(&one.word.text, one.word.span);
             let condition = expr.and_then(|expr| self.tested(expr, one.span));
@@ -234,6 +240,26 @@ impl Walk<'_, '_, '_, '_> {
         }
         if held && !body.is_empty() {
             self.decide(body, one.span);
+        }
+    }
+
+    /// The input of a latch that S or R gives.
+    fn latch_input(&self, one: &Instruction, set: bool) -> Option<&'static str> {
+        let [arg] = one.operands.as_slice() else {
+            return None;
+        };
+        let NodeKind::Path(path) = &arg.node.kind else {
+            return None;
+        };
+        let builder = &self.c.builder;
+        match builder.find(&path.name.text) {
+            Some(Named::Variable(of)) if path.parts.is_empty() => {
+                match builder.tree.types.kind(of.ty) {
+                    Kind::Standard(block) => block.latch_input(set),
+                    _ => None,
+                }
+            }
+            _ => None,
         }
     }
 
