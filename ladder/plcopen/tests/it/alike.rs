@@ -10,7 +10,7 @@ use unoclp_lang::{Lang, Told, check, compile_text};
 use unoclp_lang::{Severity, TextLanguage};
 use unoclp_plcopen::import;
 use unoclp_point::Address;
-use unoclp_testing::{Random, rounds};
+use unoclp_testing::Random;
 
 const SCANS: u32 = 1_000;
 
@@ -70,7 +70,7 @@ fn agree(name: &str, project: &str, text: &str) {
     let (mut inputs, mut now) = (Inputs::default(), 0);
     let mut changes = 0;
     let mut last = 0;
-    for scan in 0..rounds(SCANS) {
+    for scan in 0..SCANS {
         for bit in 0..4 {
             if random.percent(20) {
                 inputs.points = Image(inputs.points.0 ^ 1 << bit);
