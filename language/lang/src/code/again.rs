@@ -23,17 +23,20 @@ const BEGAN: u32 = 5;
 /// A call of a TON with IN = FALSE makes it what it was before it ever started, as `RWT` does. Where one call alone does
 /// more, and no loop repeats it, the timer stays the board's.
 pub(super) fn reset(flat: &mut Flat) {
-    let uses = Uses::of(flat);
     let mut calls = HashMap::new();
     count(&flat.body, &mut calls);
-    calls.retain(|cell, calls: &mut Calls| {
-        let all = uses.blocks.get(cell).map_or(0, |called| called.count);
-        calls.resets > 0 && calls.others == 1 && calls.gives && all == calls.resets + 1
-    });
-    if !calls.is_empty() {
-        let body = std::mem::take(&mut flat.body);
-        flat.body = with_resets(body, &calls, &uses);
+    calls.retain(|_, calls: &mut Calls| calls.resets > 0 && calls.others == 1 && calls.gives);
+    if calls.is_empty() {
+        return;
     }
+    let uses = Uses::of(flat);
+    // A call in a loop counts twice.
+    calls.retain(|cell, calls| {
+        let all = uses.blocks.get(cell).map_or(0, |called| called.count);
+        all == calls.resets + 1
+    });
+    let body = std::mem::take(&mut flat.body);
+    flat.body = with_resets(body, &calls, &uses);
 }
 
 /// The calls of a TON: those that only reset it, and the others.
@@ -114,35 +117,21 @@ fn with_resets(steps: Vec<Step>, calls: &HashMap<u32, Calls>, uses: &Uses) -> Ve
             out.extend(inputs.into_iter().filter(is_needed));
             step.does = Does::Order(Order::Reset, Standard::Ton, cell);
         }
-        step.does = inner(step.does, &mut |steps| with_resets(steps, calls, uses));
+        step.does = step
+            .does
+            .with_inner(&mut |steps| with_resets(steps, calls, uses));
         out.push(step);
     }
     out
 }
 
-/// A step whose inner steps are rewritten.
-fn inner(does: Does, rewrite: &mut dyn FnMut(Vec<Step>) -> Vec<Step>) -> Does {
-    match does {
-        Does::If(condition, then, otherwise) => {
-            Does::If(condition, rewrite(then), rewrite(otherwise))
-        }
-        Does::Case(selector, arms, otherwise) => {
-            let arms = arms.into_iter();
-            let arms = arms.map(|(bounds, body)| (bounds, rewrite(body))).collect();
-            Does::Case(selector, arms, rewrite(otherwise))
-        }
-        other => other,
-    }
-}
-
-/// Keeps the timers that are still called again in cells of their own.
-pub(super) fn keep(flat: &mut Flat) {
-    let uses = Uses::of(flat);
+/// Keeps the timers that are still called again in cells of their own; gives what is done with each cell then.
+pub(super) fn keep(flat: &mut Flat, uses: Uses) -> Uses {
     let again = uses.blocks.iter();
     let again = again.filter(|(_, called)| called.block.is_timer() && called.count > 1);
     let again: HashSet<u32> = again.map(|(cell, _)| *cell).collect();
     if again.is_empty() {
-        return;
+        return uses;
     }
     let now = flat.now();
     let held = [Base::Dint, Base::Bool].map(|base| {
@@ -162,6 +151,7 @@ pub(super) fn keep(flat: &mut Flat) {
         held,
     };
     flat.body = keeper.steps(body);
+    Uses::of(flat)
 }
 
 struct Keeper {
@@ -186,7 +176,7 @@ impl Keeper {
                     self.timer(*cell, at).order(order, *block)
                 }
                 _ => {
-                    step.does = inner(step.does, &mut |steps| self.steps(steps));
+                    step.does = step.does.with_inner(&mut |steps| self.steps(steps));
                     out.push(step);
                     continue;
                 }

@@ -208,6 +208,23 @@ pub(super) fn own_expressions_mut(does: &mut Does) -> Vec<&mut Expr> {
     }
 }
 
+impl Does {
+    /// The same with the steps within it rewritten.
+    pub(super) fn with_inner(self, rewrite: &mut dyn FnMut(Vec<Step>) -> Vec<Step>) -> Does {
+        match self {
+            Does::If(condition, then, otherwise) => {
+                Does::If(condition, rewrite(then), rewrite(otherwise))
+            }
+            Does::Case(selector, arms, otherwise) => {
+                let arms = arms.into_iter();
+                let arms = arms.map(|(bounds, body)| (bounds, rewrite(body))).collect();
+                Does::Case(selector, arms, rewrite(otherwise))
+            }
+            other => other,
+        }
+    }
+}
+
 /// The steps within a step.
 pub(super) fn within(does: &Does) -> Vec<&[Step]> {
     match does {

@@ -41,19 +41,7 @@ fn merged(steps: Vec<Step>, uses: &Uses, own: u32) -> Vec<Step> {
                 put(expr, cell, &value);
             }
         }
-        step.does = match step.does {
-            Does::If(condition, then, otherwise) => Does::If(
-                condition,
-                merged(then, uses, own),
-                merged(otherwise, uses, own),
-            ),
-            Does::Case(selector, arms, otherwise) => {
-                let arms = arms.into_iter();
-                let arms = arms.map(|(bounds, body)| (bounds, merged(body, uses, own)));
-                Does::Case(selector, arms.collect(), merged(otherwise, uses, own))
-            }
-            other => other,
-        };
+        step.does = step.does.with_inner(&mut |steps| merged(steps, uses, own));
         out.push(step);
     }
     out
@@ -198,23 +186,9 @@ fn gathered(
             // None of them is read before the call.
             out.extend(others.into_iter().rev());
         }
-        step.does = match step.does {
-            Does::If(c, then, otherwise) => Does::If(
-                c,
-                gathered(then, uses, is_whole),
-                gathered(otherwise, uses, is_whole),
-            ),
-            Does::Case(selector, arms, otherwise) => {
-                let arms = arms.into_iter();
-                let arms = arms.map(|(bounds, body)| (bounds, gathered(body, uses, is_whole)));
-                Does::Case(
-                    selector,
-                    arms.collect(),
-                    gathered(otherwise, uses, is_whole),
-                )
-            }
-            other => other,
-        };
+        step.does = step
+            .does
+            .with_inner(&mut |steps| gathered(steps, uses, is_whole));
         out.push(step);
     }
     out

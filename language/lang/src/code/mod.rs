@@ -193,9 +193,9 @@ fn lower(
     merge::merge(&mut flat, own);
     again::reset(&mut flat);
     merge::gather(&mut flat);
-    again::keep(&mut flat);
     counts::mark(&mut flat);
     let uses = uses::Uses::of(&flat);
+    let uses = again::keep(&mut flat, uses);
     let seats = allot::allot(tree, &flat, &uses, board, found);
     if found.has_errors() {
         return;
