@@ -3,7 +3,7 @@
 use crate::allot::Allotted;
 use crate::circuit::{Circuit, Item, Leaf, followed, size, together};
 use crate::found::{Found, span};
-use crate::network::{Network, Wire, edge};
+use crate::network::{DEEPEST, Network, Wire, edge};
 use crate::scope::Scope;
 use crate::symbol::{Meaning, Symbol};
 use crate::xml::says;
@@ -12,9 +12,6 @@ use unoclp_core::isa::Opcode;
 use unoclp_draw::edit::Step;
 use unoclp_lang::{Code, Word};
 use unoclp_point::Address;
-
-/// More elements than this stand in no series.
-const DEEPEST: usize = 200;
 
 /// More instructions than this fit no board.
 const LARGEST: usize = 2_000;
@@ -225,11 +222,7 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
             }
             "inVariable" | "inOutVariable" => self.contact(at, Circuit::new()),
             "continuation" => {
-                let Some(connector) = network.connector(at) else {
-                    let name = element.node.attribute("name").unwrap_or_default();
-                    self.tell(Code::XmlPin, at, [name.into()]);
-                    return None;
-                };
+                let connector = network.continued_from(at, self.found)?;
                 self.power(connector, "")
             }
             "block" => self.result(at, wire.output),
@@ -284,13 +277,7 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
     }
 
     pub(crate) fn too_large(&mut self, at: usize) {
-        let place = span(self.network.elements[at].node);
-        let (en, pt) = self.network.name(at);
-        let word = Word::from((
-            format!("{en}: more elements than fit in a rung"),
-            format!("{pt}: mais elementos do que cabem em uma linha"),
-        ));
-        self.found.tell_at(Code::XmlTooLarge, place, [word]);
+        self.network.too_large(at, self.found);
     }
 }
 

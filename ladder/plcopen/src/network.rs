@@ -7,6 +7,9 @@ use roxmltree::Node;
 use std::collections::HashMap;
 use unoclp_lang::{Code, Diagnostic, Word};
 
+/// More elements than this stand in no series.
+pub(crate) const DEEPEST: usize = 200;
+
 /// A ladder body.
 pub(crate) struct Network<'a, 'x> {
     /// What the POU is called.
@@ -151,6 +154,27 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
     pub(crate) fn connector(&self, continuation: usize) -> Option<usize> {
         let name = self.elements[continuation].node.attribute("name");
         self.connectors.get(name.unwrap_or_default()).copied()
+    }
+
+    /// The same; where there is none, that is told.
+    pub(crate) fn continued_from(&self, continuation: usize, found: &mut Found) -> Option<usize> {
+        let connector = self.connector(continuation);
+        if connector.is_none() {
+            let name = self.elements[continuation].node.attribute("name");
+            let name = name.unwrap_or_default();
+            self.tell(found, Code::XmlPin, continuation, [name.into()]);
+        }
+        connector
+    }
+
+    /// Tells that more elements hang together there than a rung may have.
+    pub(crate) fn too_large(&self, at: usize, found: &mut Found) {
+        let (en, pt) = self.name(at);
+        let word = Word::from((
+            format!("{en}: more elements than fit in a rung"),
+            format!("{pt}: mais elementos do que cabem em uma linha"),
+        ));
+        found.tell_at(Code::XmlTooLarge, span(self.elements[at].node), [word]);
     }
 
     /// What goes on from a connector: of several with one name, from the first.

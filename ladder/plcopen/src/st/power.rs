@@ -5,12 +5,9 @@ use super::sentences::{Piece, inverted, piece};
 use super::what::What;
 use crate::circuit::{Circuit, Item, Key, Leaf, leaves, together};
 use crate::found::span;
-use crate::network::{Wire, edge};
+use crate::network::{DEEPEST, Wire, edge};
 use crate::xml::says;
 use unoclp_lang::{Code, Span};
-
-/// More elements than this stand in no series.
-const DEEPEST: usize = 200;
 
 /// An expression has no more parts.
 const LARGEST: usize = 2_000;
@@ -107,11 +104,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
                 Some(vec![self.leaf((at, 0), said)])
             }
             "continuation" => {
-                let Some(connector) = network.connector(at) else {
-                    let name = element.node.attribute("name").unwrap_or_default();
-                    self.tell(Code::XmlPin, at, [name.into()]);
-                    return None;
-                };
+                let connector = network.continued_from(at, self.found)?;
                 self.input(connector, "")
             }
             "block" if self.own[at] == What::Block => {
@@ -252,13 +245,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     }
 
     fn too_large(&mut self, at: usize) {
-        let (en, pt) = self.network.name(at);
-        let word = (
-            format!("{en}: more elements than fit in a rung"),
-            format!("{pt}: mais elementos do que cabem em uma linha"),
-        );
-        let place = span(self.network.elements[at].node);
-        self.found.tell_at(Code::XmlTooLarge, place, [word.into()]);
+        self.network.too_large(at, self.found);
     }
 }
 
