@@ -20,7 +20,17 @@ export class Replay {
   readonly element = h("figure", { class: "replay", id: "replay" });
   private readonly scene = new Scene("replay-picture");
   private readonly diagram = h("div", { class: "diagram", tabindex: 0, role: "group" });
-  private readonly time = h("input", { type: "range", id: "replay-time", min: 0, value: 0, input: () => this.seek(Number(this.time.value)) });
+  private readonly time = h("input", {
+    type: "range",
+    id: "replay-time",
+    min: 0,
+    value: 0,
+    input: () => this.seek(Number(this.time.value)),
+    // Home at the first picture changes no value, but whoever presses it wants to see that picture.
+    keydown: (event) => {
+      if ((event as KeyboardEvent).key !== "Tab") this.began = null;
+    },
+  });
   private readonly clock = h("output");
   private got: Replayed | null = null;
   /** The picture that is shown. */

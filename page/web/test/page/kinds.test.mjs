@@ -145,6 +145,13 @@ test("what went wrong with a machine is seen again from two seconds before, with
   await page.locator("#replay output", { hasText: "47.48 s" }).waitFor();
   assert.notEqual(await picture(), first);
   assert.notEqual(await cursor.getAttribute("transform"), "translate(0 0)");
+  // Home stops it at the first picture too, where the slider stands at its beginning already.
+  await page.locator("#replay-time").evaluate(async (time) => {
+    document.getElementById("replay-play")?.click();
+    time.dispatchEvent(new KeyboardEvent("keydown", { key: "Home" }));
+    for (let frame = 0; frame < 30; frame++) await new Promise((next) => requestAnimationFrame(next));
+  });
+  assert.equal(await cursor.getAttribute("transform"), "translate(0 0)");
   // Played again it begins at its first picture, and ends at its last.
   await page.click("#replay-play");
   await page.locator("#replay output", { hasText: "47.48 s" }).waitFor();
