@@ -1,16 +1,15 @@
 //! The way of a text in Instruction List to a checked program.
 
-use crate::ast::Stmt;
-use crate::code::{List, Written, compile_text, compile_tree};
+use crate::ast::{Stmt, Unit, UnitKind};
 use crate::diagnostics::{Found, Severity, Told};
 use crate::dialect::Dialect;
-use crate::emit::{self, CodeLine};
-use crate::languages::TextLanguage;
+use crate::languages::{TextLanguage, compile_text};
 use crate::operators::Op;
-use crate::places;
 use crate::st::has_types;
 use crate::{il, parser, whole};
+use std::sync::Arc;
 use unoclp_checked::{Checked, SourceMap};
+use unoclp_codegen::{CodeLine, List, Units, Written, compile_tree, file};
 use unoclp_core::Board;
 use unoclp_core::isa::Opcode;
 
@@ -57,7 +56,7 @@ impl Compiled {
 
     /// The program file with its comments, for `PROGRAM.TXT`; none where there are errors.
     pub fn file(&self) -> Option<String> {
-        (!self.has_errors()).then(|| emit::file(&self.lines))
+        (!self.has_errors()).then(|| file(&self.lines))
     }
 
     /// The codes and operands in order.
@@ -94,7 +93,7 @@ pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
     let parts = parts.collect();
     let written = Written {
         comments: parsed.comments,
-        units: Some(places::units(text, &parsed.units)),
+        units: Some(units(text, &parsed.units)),
         instructions: bodies
             .filter_map(|stmt| match stmt {
                 Stmt::Instr(instr) => Some(instr.whole.start),
@@ -110,6 +109,18 @@ pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
         program: made.program,
         diagnostics: made.diagnostics,
     }
+}
+
+/// Where the functions and function blocks stand, in that order, and what they are called.
+fn units(text: &str, units: &[Unit]) -> Units {
+    let named = |unit: &Unit| {
+        let name = text.get(unit.name.as_ref()?.span.range())?;
+        Some((unit.span.start..unit.end, Arc::from(name)))
+    };
+    let units = units.iter().filter(|unit| unit.kind != UnitKind::Program);
+    let mut units: Units = units.filter_map(named).collect();
+    units.sort_by_key(|(bytes, _)| bytes.start);
+    units
 }
 
 /// A text with types or functions of the norm, which the typed tree has.

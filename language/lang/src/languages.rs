@@ -2,6 +2,7 @@
 
 use crate::diagnostics::{Found, Told};
 use crate::typed::Tree;
+use unoclp_codegen::{CompiledText, Written, compile_tree};
 use unoclp_core::Board;
 
 /// A typed language.
@@ -68,12 +69,7 @@ pub fn check(text: &str, language: TextLanguage, board: Board) -> CheckedText {
 }
 
 /// The tree of a text; none where something is wrong, which is told.
-pub(crate) fn read(
-    text: &str,
-    language: TextLanguage,
-    board: Board,
-    found: &mut Found,
-) -> Option<Tree> {
+fn read(text: &str, language: TextLanguage, board: Board, found: &mut Found) -> Option<Tree> {
     let tree = match language {
         TextLanguage::St => crate::st::check(text, crate::st::Dialect::Iec, board, found),
         TextLanguage::Scl => crate::st::check(text, crate::st::Dialect::Scl, board, found),
@@ -82,4 +78,11 @@ pub(crate) fn read(
         TextLanguage::Il => crate::st::check(text, crate::st::Dialect::Il, board, found),
     };
     tree.filter(|_| !found.has_errors())
+}
+
+/// Compiles a text for a board.
+pub fn compile_text(text: &str, language: TextLanguage, board: Board) -> CompiledText {
+    let mut found = Found::default();
+    let tree = read(text, language, board, &mut found);
+    compile_tree(text, tree, Written::in_types(text), board, found)
 }

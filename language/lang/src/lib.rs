@@ -5,64 +5,43 @@
 //! expressions the typed tree is made). [`to_il`] and [`to_st()`] go the other way.
 //!
 //! The way of a text in a typed language ([`check`]): `st` (Structured Text), `iscl` (InterSCL) and `lce` (LCE), the last
-//! two on `small` (bytes → words → syntax tree → names and types), [`typed`]
-//! (the tree that all of them come to, Instruction List too), [`run`] (the interpreter on the PC), `code` (from the tree to
-//! instructions), `emit` (lines of a program file, checked as the board checks them), `places` and `comments` (where its
-//! steps stand in the text). What can be wrong with a text is said
-//! once, in `messages`.
+//! two on `small` (bytes → words → syntax tree → names and types), each to the tree of `unoclp-tree`, which
+//! `unoclp-codegen` takes to a program. What can be wrong with a text, `unoclp-text` says.
 //!
-//! Owns the languages, what can be wrong with a text, and the words for it. Must not know pins, files, clocks, screens. No
-//! text makes it panic.
+//! Owns the languages: what each word of them means. Must not know pins, files, clocks, screens, the instructions that a
+//! tree comes to. No text makes it panic.
 
 #![forbid(unsafe_code)]
 
 mod adapt;
 mod ast;
 mod back;
-mod code;
-mod colour;
 mod colours;
-mod comments;
 mod compile;
 mod condition;
-mod decimal;
 mod declared;
-mod diagnostics;
-mod dialect;
-mod emit;
-mod given;
 mod il;
 mod iscl;
-mod lacking;
 mod languages;
 mod lce;
 mod lexer;
 mod list;
-mod literal;
-mod messages;
 mod names;
 mod operators;
-mod origin;
 mod parser;
-mod places;
-mod points;
-pub mod run;
-mod scanner;
-mod severity;
-mod show;
 mod small;
 mod spell;
 mod st;
 mod temps;
 mod to_st;
 mod tree;
-pub mod typed;
 mod whole;
 mod words;
 
+use unoclp_text::{colour, comments, diagnostics, dialect, literal, points, scanner};
+
 pub use adapt::{Adapted, adapt, adapt_at, written_points};
 pub use back::{instructions_to_il, to_il};
-pub use code::{CompiledText, Held, Holding, Shows, Trace, Variable, compile_text, literal};
 pub use colour::Colour;
 pub use colours::{colours, colours_of_list};
 pub use compile::{Compiled, Options, compile, compile_untyped};
@@ -70,13 +49,12 @@ pub use condition::{Condition, Judge, condition, is_name};
 pub use declared::{Declared, DeclaredPoint, declared};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};
 pub use dialect::Dialect;
-pub use emit::CodeLine;
-pub use given::given;
-pub use lacking::lacking;
-pub use languages::{CheckedText, TextLanguage, check};
+pub use languages::{CheckedText, TextLanguage, check, compile_text};
 pub use literal::duration;
 pub use operators::is_operator;
 pub use points::{no_such_point, point};
-pub use show::show;
 pub use st::has_types;
 pub use to_st::to_st;
+pub use unoclp_codegen::{CodeLine, CompiledText, Held, Holding, Shows, Trace, Variable, literal};
+pub use unoclp_text::{lacking, show};
+pub use unoclp_tree::{self as typed, given, run};

@@ -5,10 +5,10 @@
 
 use super::ast::{Counting, Decl, Name, Node, NodeKind, Op, Program, Statement, StatementKind};
 use crate::diagnostics::{Code, Found, Span, Word};
-use crate::names::near::nearest;
 use crate::typed::build::{Builder, Letters, Section, Target, Traits, both};
 use crate::typed::{Base, Expr, ExprKind, Stmt, StmtKind, Tree, TypeId, UnitKind};
 use unoclp_core::Board;
+use unoclp_text::near::nearest;
 
 /// For more names than this, no near one is looked for.
 const MOST_NEAR: u32 = 32;

@@ -6,10 +6,10 @@ use super::ast::Decl;
 use super::parser::Parser;
 use super::words::{Word, lacking};
 use crate::diagnostics::Code;
-use crate::names::near::nearest;
 use crate::small::cursor::{Keywords, Parsed, Told};
 use crate::small::rules::Sign;
 use crate::typed::Base;
+use unoclp_text::near::nearest;
 
 /// What a command or a declaration may begin with.
 const FIRST: [Word; 8] = [

@@ -5,11 +5,11 @@
 use super::ast::{Alias, Program, Statement};
 use super::words::{RULES, Word, lacking};
 use crate::diagnostics::{Code, Found};
-use crate::names::near::nearest;
 use crate::small::cursor::{Cursor, Keywords, Parsed, Told};
 use crate::small::rules::Sign;
 use std::collections::HashSet;
 use unoclp_core::Board;
+use unoclp_text::near::nearest;
 
 pub(super) struct Parser<'t, 'f> {
     pub cursor: Cursor<'t, 'f, Word>,

@@ -5,12 +5,12 @@
 use super::ast::{Kind, Name};
 use super::checker::{Cells, Checker, Shown, Slot, Variable, Written};
 use crate::diagnostics::Code;
-use crate::names::near::nearest;
 use crate::points;
 use crate::typed::build::both;
 use crate::typed::build::points::point_base;
 use crate::typed::{Base, Cell, Holds, Symbol, Value};
 use unoclp_point::Maker;
+use unoclp_text::near::nearest;
 
 /// For more names than this, no near one is looked for.
 const MOST_NEAR: u32 = 32;

@@ -2,10 +2,10 @@
 
 use super::accumulator::Accumulator;
 use super::{Acc, Changes, Machine, Says};
-use crate::code::begins;
 use crate::diagnostics::Span;
 use crate::operators::Op;
 use crate::typed::{Base, Codes, Stmt, StmtKind, TypeId, Value};
+use unoclp_codegen::begins;
 
 impl<'t, 'f, M: Machine<'t, 'f>> Verbatim<'t, 'f> for M {}
 

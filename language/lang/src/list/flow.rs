@@ -7,10 +7,10 @@ use super::accumulator::Accumulator;
 use super::labels::If;
 use super::{Acc, Changes, Machine, Waiting};
 use crate::diagnostics::{Code, Span};
-use crate::names::near::nearest;
 use crate::typed::{Expr, Stmt, StmtKind, TypeId};
 use std::collections::HashSet;
 use unoclp_core::isa::Opcode;
+use unoclp_text::near::nearest;
 
 /// A line that jumps or leaves.
 #[derive(Clone, Copy)]

@@ -4,6 +4,7 @@ use crate::ast::{Instr, Param};
 use crate::diagnostics::Word;
 use crate::operators::Op;
 use std::collections::HashSet;
+use unoclp_text::near::nearest;
 
 /// For more names than this, no near one is looked for: the board has not so many markers.
 const MOST: u32 = 64;
@@ -80,17 +81,4 @@ impl Near {
         let names = self.declared.iter().map(String::as_str);
         nearest(written, names.filter(|_| self.asked <= MOST))
     }
-}
-
-/// The name that is a slip of the hand away, two in a long one.
-pub(crate) fn nearest<'n>(wrong: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
-    let wrong = wrong.to_uppercase();
-    let length = wrong.chars().count();
-    let slips = (length / 3).min(2);
-    names
-        .filter(|name| name.len().abs_diff(wrong.len()) <= slips)
-        .map(|name| (strsim::osa_distance(&name.to_uppercase(), &wrong), name))
-        .filter(|(distance, _)| (1..=slips).contains(distance))
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, name)| name)
 }

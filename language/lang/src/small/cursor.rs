@@ -5,7 +5,7 @@
 use super::lexer::tokens;
 use super::rules::{Rules, Sign, Token};
 use crate::diagnostics::{Code, Found, Span, Word};
-use crate::names::near::nearest;
+use unoclp_text::near::nearest;
 
 /// Statements and parentheses nest no deeper.
 const MOST_OPEN: u32 = 200;

@@ -1,6 +1,7 @@
 //! The compiler, from text to what the program does.
 
 mod any_text;
+mod beside;
 mod blocks;
 mod board;
 mod cases;
@@ -25,5 +26,6 @@ mod typed_pages;
 mod typed_random;
 mod typed_slips;
 mod typed_tree;
+mod variables;
 mod widths;
 mod words;

@@ -84,7 +84,7 @@ impl Checker<'_, '_, '_> {
         let units = self.file.units.iter().map(|unit| unit.name.text.as_str());
         // A file with very many types is not a student's.
         let own = own.chain(units).take(200);
-        let near = crate::names::near::nearest(&name.text, bases.chain(blocks).chain(own));
+        let near = unoclp_text::near::nearest(&name.text, bases.chain(blocks).chain(own));
         match near {
             Some(near) => both(format!("is it `{near}`?"), format!("seria `{near}`?")),
             None => (

@@ -29,7 +29,7 @@ use super::lexer::tokens;
 use super::token::{Dialect, Kind, Token};
 use super::words::{Keyword, meant};
 use crate::diagnostics::{Code, Found, Span, Word};
-use crate::names::near::nearest;
+use unoclp_text::near::nearest;
 
 /// Statements and parentheses nest no deeper.
 const MOST_OPEN: u32 = 200;

@@ -1,0 +1,285 @@
+//! A tree while it is made.
+//!
+//! Owns units and where the front end is in them. Must not know what statements mean.
+
+use super::named::{Letters, Named, Param, Variable};
+use crate::{Base, Expr, ExprKind, Kind, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind};
+use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
+use unoclp_core::Board;
+use unoclp_point::Address;
+use unoclp_text::diagnostics::{Code, Found, Span, Word};
+use unoclp_text::points::Spellings;
+
+/// More cells than this no program has; the board has room for fewer than a hundred.
+pub const MOST_CELLS: u32 = 250_000;
+
+/// A unit while it is made.
+#[derive(Debug)]
+pub struct Draft {
+    /// The unit.
+    pub unit: Unit,
+    /// What its names stand for.
+    pub names: HashMap<String, Named>,
+    /// What it takes and gives, in its order.
+    pub params: Vec<Param>,
+    /// Of a function.
+    pub result: Option<TypeId>,
+    /// Of a block: its declarations are complete.
+    pub closed: bool,
+    /// Of a function: its result is stored somewhere.
+    pub gives: bool,
+    /// A declaration in it is wrong, so that not all of its names are known.
+    pub incomplete: bool,
+    /// The type of a block's instances.
+    pub block: TypeId,
+    /// Its constants that have cells: the name, the type and the offset of each.
+    pub constants: Vec<(String, TypeId, u32)>,
+}
+
+/// A tree while a front end makes it: see [`build`](super).
+pub struct Builder<'t, 'f> {
+    /// The text.
+    pub text: &'t str,
+    /// The board that the text is for.
+    pub board: Board,
+    /// What is told of the text.
+    pub found: &'f mut Found,
+    /// The tree so far.
+    pub tree: Tree,
+    pub(super) letters: Letters,
+    /// A division by a constant 0 is no mistake of the text: it gives 0, and sets S 04.
+    pub divides_by_zero: bool,
+    /// The text is in Instruction List.
+    pub is_list: bool,
+    /// Integers go into each other, each cut to what it is stored in.
+    pub is_wide: bool,
+    pub(super) globals: HashMap<String, Named>,
+    pub(super) drafts: Vec<Draft>,
+    pub(super) current: Option<usize>,
+    /// Who calls whom, and where.
+    pub(super) edges: Vec<(u32, u32, Span)>,
+    pub(super) points: HashMap<Address, u32>,
+    pub(super) spellings: Spellings,
+    pub(super) shown: Vec<(String, Variable, Option<u32>)>,
+    pub(super) cells: u64,
+    pub(super) asked: u32,
+    /// How many loops are open where a statement is made.
+    pub loops: u32,
+    /// The variables that count open loops.
+    pub(super) counters: Vec<(Root, u32)>,
+    /// Inputs that their own units change, by the unit and the offset, which has been told.
+    pub(super) inputs_written: HashSet<(Option<usize>, u32)>,
+    pub(super) writes: bool,
+    /// Of the unit that is called not all parameters are known.
+    pub(super) lenient: bool,
+    pub(super) hidden: HashSet<(Option<usize>, String)>,
+}
+
+impl<'t, 'f> Builder<'t, 'f> {
+    /// Begins a tree of a text for a board; what is wrong goes to `found`.
+    pub fn new(
+        text: &'t str,
+        letters: Letters,
+        board: Board,
+        found: &'f mut Found,
+    ) -> Builder<'t, 'f> {
+        Builder {
+            text,
+            board,
+            found,
+            tree: Tree::default(),
+            letters,
+            divides_by_zero: false,
+            is_list: false,
+            is_wide: false,
+            globals: HashMap::new(),
+            drafts: Vec::new(),
+            current: None,
+            edges: Vec::new(),
+            points: HashMap::new(),
+            spellings: Spellings::default(),
+            shown: Vec::new(),
+            cells: 0,
+            asked: 0,
+            loops: 0,
+            counters: Vec::new(),
+            inputs_written: HashSet::new(),
+            writes: false,
+            lenient: false,
+            hidden: HashSet::new(),
+        }
+    }
+
+    /// A name as the tables have it.
+    pub fn key(&self, name: &str) -> String {
+        match self.letters {
+            Letters::Alike if name.is_ascii() => name.to_ascii_uppercase(),
+            Letters::Alike => name.to_uppercase(),
+            Letters::Apart => name.to_owned(),
+        }
+    }
+
+    /// The same to look it up: without memory of its own where it fits this room, as nearly all names do.
+    pub(super) fn folded<'n>(&self, name: &'n str, room: &'n mut [u8; 32]) -> Cow<'n, str> {
+        if self.letters == Letters::Apart {
+            return Cow::Borrowed(name);
+        }
+        let Some(room) = room.get_mut(..name.len()).filter(|_| name.is_ascii()) else {
+            return Cow::Owned(self.key(name));
+        };
+        room.copy_from_slice(name.as_bytes());
+        room.make_ascii_uppercase();
+        match std::str::from_utf8(room) {
+            Ok(key) => Cow::Borrowed(key),
+            Err(_) => Cow::Owned(self.key(name)),
+        }
+    }
+
+    /// What stands in the text there, short enough for a message.
+    pub fn written(&self, at: Span) -> String {
+        let text = self.text.get(at.range()).unwrap_or_default();
+        let mut words = text.split_whitespace();
+        let mut line = words.next().unwrap_or_default().to_owned();
+        for word in words {
+            if line.len() > 40 {
+                break;
+            }
+            line.push(' ');
+            line.push_str(word);
+        }
+        match line.char_indices().nth(40) {
+            Some((end, _)) => format!("{}…", &line[..end]),
+            None => line,
+        }
+    }
+
+    /// Tells this of a place of the text.
+    pub fn tell<const N: usize>(&mut self, code: Code, at: Span, words: [Word; N]) {
+        self.found.tell(code, at, words);
+    }
+
+    /// What is wrong has been told.
+    pub fn wrong(&self, at: Span) -> Expr {
+        Expr {
+            kind: ExprKind::Wrong,
+            base: Base::Bool,
+            ty: TypeId::BOOL,
+            at,
+        }
+    }
+
+    /// Makes a unit; of a function, its result is declared by [`Builder::result`].
+    pub fn unit(&mut self, name: &str, kind: UnitKind, at: Span) -> u32 {
+        let number = self.drafts.len() as u32;
+        let block = self.tree.types.add(Type {
+            name: Some(name.to_owned()),
+            kind: Kind::Block(number).into(),
+            cells: 0,
+            initial: None,
+            alias: None,
+        });
+        self.drafts.push(Draft {
+            unit: Unit {
+                name: name.to_owned(),
+                kind,
+                own: Vec::new(),
+                locals: Vec::new(),
+                references: 0,
+                body: Vec::new(),
+                labels: Vec::new(),
+                at,
+            },
+            names: HashMap::new(),
+            params: Vec::new(),
+            result: None,
+            closed: kind != UnitKind::Block,
+            gives: false,
+            incomplete: false,
+            block,
+            constants: Vec::new(),
+        });
+        let named = match kind {
+            UnitKind::Block => Named::Type(block),
+            UnitKind::Function | UnitKind::Program => Named::Unit(number),
+        };
+        if kind == UnitKind::Program {
+            self.tree.programs.push(number);
+            // A variable may have its name.
+            return number;
+        }
+        let key = self.key(name);
+        if self.globals.insert(key, named).is_some() {
+            self.tell(Code::StNameTwice, at, [name.into()]);
+        }
+        number
+    }
+
+    /// Goes into a unit: what is declared and named from here on is in it.
+    pub fn enter(&mut self, unit: u32) {
+        self.current = Some(unit as usize);
+    }
+
+    /// Goes out of it.
+    pub fn leave(&mut self) {
+        self.current = None;
+    }
+
+    /// Where it is, to go back there.
+    pub fn inside(&self) -> Option<usize> {
+        self.current
+    }
+
+    /// Goes back to where it was.
+    pub fn go(&mut self, back: Option<usize>) {
+        self.current = back;
+    }
+
+    /// The name of the function or block that it is in.
+    pub fn name_here(&self) -> Option<String> {
+        let draft = self.current.and_then(|unit| self.drafts.get(unit))?;
+        (draft.unit.kind != UnitKind::Program).then(|| draft.unit.name.clone())
+    }
+
+    /// The result of the function that it is in needs no store.
+    pub fn gives(&mut self) {
+        if let Some(draft) = self.here() {
+            draft.gives = true;
+        }
+    }
+
+    /// The program may change nothing without a word about it.
+    pub fn may_do_nothing(&mut self) {
+        self.writes = true;
+    }
+
+    /// A unit by its number.
+    pub fn draft(&self, unit: u32) -> Option<&Draft> {
+        self.drafts.get(unit as usize)
+    }
+
+    pub(super) fn here(&mut self) -> Option<&mut Draft> {
+        self.current.and_then(|unit| self.drafts.get_mut(unit))
+    }
+
+    /// The kind of the unit that it is in.
+    pub fn kind_here(&self) -> Option<UnitKind> {
+        let unit = self.current.and_then(|unit| self.drafts.get(unit));
+        unit.map(|draft| draft.unit.kind)
+    }
+
+    #[allow(dead_code, reason = "a front end of Instruction List asks for it")]
+    /// Asks for the numbers of labels: of each the statement before which it stands, and its number.
+    pub fn wish_labels(&mut self, unit: u32, wished: Vec<(u32, u8)>) {
+        if let Some(draft) = self.drafts.get_mut(unit as usize) {
+            draft.unit.labels = wished;
+        }
+    }
+
+    /// Gives a unit its statements.
+    pub fn body(&mut self, unit: u32, body: Vec<Stmt>) {
+        if let Some(draft) = self.drafts.get_mut(unit as usize) {
+            draft.unit.body = body;
+        }
+    }
+}
