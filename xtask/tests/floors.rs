@@ -61,7 +61,7 @@ fn text_of(value: &Value) -> &str {
     value.as_str().expect("a text")
 }
 
-/// The floor of a crate, by its folder: `proof`, `xtask`, `firmware` and `host-sim` are floors of their own.
+/// The floor of a crate, by its folder: `proof`, `examples`, `xtask`, `firmware` and `host-sim` are floors of their own.
 fn floor(room: &str) -> &str {
     room.split('/').next().unwrap_or(room)
 }
@@ -70,7 +70,7 @@ fn floor(room: &str) -> &str {
 fn may_use(user: &str, used: &str) -> bool {
     let height = |name: &str| FLOORS.iter().position(|floor| *floor == name);
     match (user, height(user), height(used)) {
-        ("proof" | "xtask", _, _) => used != "xtask",
+        ("proof" | "xtask" | "examples", _, _) => used != "xtask",
         ("firmware" | "host-sim", _, _) => used == "device",
         (_, Some(above), Some(below)) => below <= above,
         // The simulated PLC stands on the device, so what is above the device may run it.

@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use xtask::shell::root;
 
 /// The floors that have rooms.
-const FLOORS: [&str; 6] = ["device", "language", "ladder", "tools", "page", "proof"];
+const FLOORS: [&str; 7] = [
+    "device", "examples", "language", "ladder", "tools", "page", "proof",
+];
 /// Rooms with a door of their own, at the root.
 const ALONE: [&str; 3] = ["firmware", "host-sim", "xtask"];
 /// Folders that are nobody's work.

@@ -28,7 +28,7 @@ pub(crate) fn compile(
     }
     let text = &written.text;
     let (diagnostics, lines, program) = match language {
-        TextLanguage::Il if !has_types(text) => {
+        language if language == TextLanguage::Il && !has_types(text) => {
             let options = Options {
                 dialect: None,
                 board,

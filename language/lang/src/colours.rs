@@ -7,25 +7,25 @@ use crate::colour::{Colour, is_point, painted};
 use crate::diagnostics::{Found, Span};
 use crate::lexer::{self, Kind, SECTIONS};
 use crate::operators;
-use crate::{iscl, lce, st};
+use crate::st;
 
 /// The coloured parts of a text in this language, in the order of their places; the rest is names and signs.
 pub fn colours(text: &str, language: TextLanguage) -> Vec<(Span, Colour)> {
-    match language {
-        TextLanguage::St => painted(text, st::colours(text, st::Dialect::Iec)),
-        TextLanguage::Scl => painted(text, st::colours(text, st::Dialect::Scl)),
-        TextLanguage::Iscl => painted(text, iscl::colours(text)),
-        TextLanguage::Lce => painted(text, lce::colours(text)),
-        TextLanguage::Il => colours_of_list(text),
-    }
+    painted(text, language.words(text))
 }
 
 /// The same for Instruction List, with types or without, and without what the other languages take.
 pub fn colours_of_list(text: &str) -> Vec<(Span, Colour)> {
+    painted(text, words_of_list(text))
+}
+
+/// The words of Instruction List, and what each is.
+pub(crate) fn words_of_list(text: &str) -> Vec<(Span, Option<Colour>)> {
     let words = lexer::words(text, &mut Found::default());
     let mut declares = false;
     let mut begins = true;
-    let tokens = words.tokens.iter().map(|token| {
+    let tokens = words.tokens.iter();
+    let painted = tokens.map(|token| {
         let written = text.get(token.span.range()).unwrap_or_default();
         let word = written.to_ascii_uppercase();
         let first = begins;
@@ -46,5 +46,5 @@ pub fn colours_of_list(text: &str) -> Vec<(Span, Colour)> {
         };
         (token.span, colour)
     });
-    painted(text, tokens)
+    painted.collect()
 }

@@ -1,28 +1,79 @@
-//! The typed languages: which there are, and the way of a text in one of them to its typed tree.
+//! The registry of typed languages, and the way of a text in one of them to its typed tree.
 
-use crate::diagnostics::{Found, Told};
-use crate::typed::Tree;
+use crate::diagnostics::{Found, Lang, Told};
+use crate::{colours, iscl, lce, st};
+use std::fmt;
+use std::sync::RwLock;
 use unoclp_codegen::{CompiledText, Written, compile_tree};
 use unoclp_core::Board;
+use unoclp_tree::{FrontEnd, Painted, Tree};
 
-/// A typed language.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TextLanguage {
-    /// Structured Text of IEC 61131-3.
-    St,
-    /// Structured Text as Siemens writes it: `#name`, `"name"`.
-    Scl,
-    /// InterSCL, a small SCL for teaching.
-    Iscl,
-    /// LCE, the language of SimuPLC.
-    Lce,
-    /// Instruction List, where it has types and functions of the norm.
-    Il,
+/// A typed language: a row of the registry, compared by its name.
+#[derive(Clone, Copy)]
+pub struct TextLanguage(&'static FrontEnd);
+
+/// What has been registered beside ours.
+static MORE: RwLock<Vec<TextLanguage>> = RwLock::new(Vec::new());
+
+/// Takes a language from elsewhere into all that asks [`TextLanguage::all`]: commands, help, checks, colours, tests. One
+/// with a name that is taken is left out.
+pub fn register(front: &'static FrontEnd) {
+    let language = TextLanguage(front);
+    let is_taken = TextLanguage::named(front.name).is_some();
+    let mut more = MORE.write().unwrap_or_else(|error| error.into_inner());
+    if !is_taken {
+        more.push(language);
+    }
 }
 
+#[expect(
+    non_upper_case_globals,
+    reason = "one reads them like the variants of an enum"
+)]
 impl TextLanguage {
-    /// Every typed language.
-    pub const ALL: [TextLanguage; 5] = [
+    /// Structured Text of IEC 61131-3.
+    pub const St: TextLanguage = TextLanguage(&FrontEnd {
+        name: "st",
+        title: ["Structured Text", "Texto Estruturado"],
+        begins: weighed,
+        colours: |text| st::colours(text, st::Dialect::Iec),
+        tree: |text, board, found| st::check(text, st::Dialect::Iec, board, found),
+    });
+    /// Structured Text as Siemens writes it: `#name`, `"name"`.
+    pub const Scl: TextLanguage = TextLanguage(&FrontEnd {
+        name: "scl",
+        title: ["Structured Text", "Texto Estruturado"],
+        begins: weighed,
+        colours: |text| st::colours(text, st::Dialect::Scl),
+        tree: |text, board, found| st::check(text, st::Dialect::Scl, board, found),
+    });
+    /// InterSCL, a small SCL for teaching.
+    pub const Iscl: TextLanguage = TextLanguage(&FrontEnd {
+        name: "iscl",
+        title: ["InterSCL", "InterSCL"],
+        begins: weighed,
+        colours: iscl::colours,
+        tree: iscl::check,
+    });
+    /// LCE, the language of SimuPLC.
+    pub const Lce: TextLanguage = TextLanguage(&FrontEnd {
+        name: "lce",
+        title: ["LCE", "LCE"],
+        begins: weighed,
+        colours: lce::colours,
+        tree: lce::check,
+    });
+    /// Instruction List.
+    pub const Il: TextLanguage = TextLanguage(&FrontEnd {
+        name: "il",
+        title: ["Instruction List", "Lista de Instruções"],
+        begins: weighed,
+        colours: colours::words_of_list,
+        tree: |text, board, found| st::check(text, st::Dialect::Il, board, found),
+    });
+
+    /// Those that unoclp brings.
+    const OURS: [TextLanguage; 5] = [
         TextLanguage::St,
         TextLanguage::Scl,
         TextLanguage::Iscl,
@@ -30,22 +81,64 @@ impl TextLanguage {
         TextLanguage::Il,
     ];
 
-    /// Its name on a command line: `st`, `scl`, `iscl`, `lce`, `il`.
+    /// Every typed language: ours, and after them what was [registered](register).
+    pub fn all() -> Vec<TextLanguage> {
+        [TextLanguage::OURS.to_vec(), TextLanguage::from_elsewhere()].concat()
+    }
+
+    /// What was [registered](register).
+    pub fn from_elsewhere() -> Vec<TextLanguage> {
+        let more = MORE.read().unwrap_or_else(|error| error.into_inner());
+        more.clone()
+    }
+
+    /// Its name on a command line, by which the names of its files end too: `st`, `scl`, `iscl`, `lce`, `il`.
     pub const fn name(self) -> &'static str {
-        match self {
-            TextLanguage::St => "st",
-            TextLanguage::Scl => "scl",
-            TextLanguage::Iscl => "iscl",
-            TextLanguage::Lce => "lce",
-            TextLanguage::Il => "il",
+        self.0.name
+    }
+
+    /// What people call it.
+    pub fn title(self, lang: Lang) -> &'static str {
+        let [en, pt] = self.0.title;
+        match lang {
+            Lang::En => en,
+            Lang::Pt => pt,
         }
+    }
+
+    /// Whether a text begins like one in it, of a language from elsewhere.
+    pub fn begins(self, text: &str) -> bool {
+        (self.0.begins)(text)
     }
 
     /// The language with this name.
     pub fn named(name: &str) -> Option<TextLanguage> {
-        TextLanguage::ALL
-            .into_iter()
-            .find(|language| language.name() == name)
+        let mut all = TextLanguage::all().into_iter();
+        all.find(|language| language.name() == name)
+    }
+
+    /// The words of a text, and what each is.
+    pub(crate) fn words(self, text: &str) -> Painted {
+        (self.0.colours)(text)
+    }
+}
+
+/// Ours are told apart by their first words all at once, by whoever has files; see `unoclp-program`.
+fn weighed(_: &str) -> bool {
+    false
+}
+
+impl PartialEq for TextLanguage {
+    fn eq(&self, other: &TextLanguage) -> bool {
+        self.name() == other.name()
+    }
+}
+
+impl Eq for TextLanguage {}
+
+impl fmt::Debug for TextLanguage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }
 
@@ -70,13 +163,7 @@ pub fn check(text: &str, language: TextLanguage, board: Board) -> CheckedText {
 
 /// The tree of a text; none where something is wrong, which is told.
 fn read(text: &str, language: TextLanguage, board: Board, found: &mut Found) -> Option<Tree> {
-    let tree = match language {
-        TextLanguage::St => crate::st::check(text, crate::st::Dialect::Iec, board, found),
-        TextLanguage::Scl => crate::st::check(text, crate::st::Dialect::Scl, board, found),
-        TextLanguage::Iscl => crate::iscl::check(text, board, found),
-        TextLanguage::Lce => crate::lce::check(text, board, found),
-        TextLanguage::Il => crate::st::check(text, crate::st::Dialect::Il, board, found),
-    };
+    let tree = (language.0.tree)(text, board, found);
     tree.filter(|_| !found.has_errors())
 }
 

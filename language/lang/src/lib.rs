@@ -49,7 +49,7 @@ pub use condition::{Condition, Judge, condition, is_name};
 pub use declared::{Declared, DeclaredPoint, declared};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};
 pub use dialect::Dialect;
-pub use languages::{CheckedText, TextLanguage, check, compile_text};
+pub use languages::{CheckedText, TextLanguage, check, compile_text, register};
 pub use literal::duration;
 pub use operators::is_operator;
 pub use points::{no_such_point, point};

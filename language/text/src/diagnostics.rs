@@ -1,6 +1,6 @@
 //! What is wrong with a text, or worth a second look.
 
-pub use crate::messages::Code;
+pub use crate::messages::{Code, Row, Words};
 pub use crate::severity::Severity;
 use std::collections::HashSet;
 use std::ops::Deref;

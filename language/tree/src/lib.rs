@@ -18,7 +18,7 @@
 //! - `tree`: units and their cells; `statement`; `expression`: expressions and places
 //! - `literal`: what literals are worth
 //! - `ops`, `conversions`: what each operation gives, for folding and for the interpreter alike, in the `width` of types
-//! - `build`: how a front end makes a tree; see there
+//! - `build`: how a front end makes a tree; see there. `front`: what else a language is
 //!
 //! **Cells.** A variable without parts takes one cell. Members and elements stand in a row, so each constant
 //! subscript and each member is an offset. A [`Place`] is a root (the program's cells, the block's own, the
@@ -45,6 +45,7 @@ pub mod build;
 mod conversions;
 mod enumeration;
 mod expression;
+mod front;
 mod given;
 pub mod literal;
 pub mod ops;
@@ -63,6 +64,7 @@ pub use expression::{
     Binary, Call, Compare, Convert, Expr, ExprKind, Extra, Index, Input, Output, Place, Root,
     Store, Unary,
 };
+pub use front::{FrontEnd, Painted};
 pub use given::given;
 pub use standard::{Part, Role, Standard, counter};
 pub use statement::{Arm, Codes, For, Order, Stmt, StmtKind};

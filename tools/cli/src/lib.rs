@@ -1,5 +1,6 @@
 //! What the command line shows on a terminal, and how it gets at a board.
 //!
+//! - [`run`]: the whole command, by the arguments of this process; `commands`: what each word of them does
 //! - [`panel`]: the simulator
 //! - [`monitor`]: a board at a serial port
 //! - [`port`]: the serial port
@@ -18,9 +19,11 @@
 mod alarms;
 #[cfg(feature = "page")]
 mod archive;
+mod arguments;
 pub mod ascii;
 #[cfg(feature = "page")]
 mod broker;
+mod commands;
 #[cfg(feature = "page")]
 mod ended;
 pub mod film;
@@ -33,6 +36,7 @@ pub mod messages;
 #[cfg(feature = "page")]
 mod metrics;
 pub mod monitor;
+mod outcome;
 #[cfg(feature = "page")]
 pub mod own;
 pub mod panel;
@@ -43,3 +47,5 @@ pub mod shared;
 pub mod site_file;
 pub mod stores;
 mod variables;
+
+pub use arguments::run;

@@ -69,10 +69,8 @@ impl Language {
         match self {
             Language::Numeric => WrittenIn::Numeric,
             Language::Il { .. } => WrittenIn::Il,
-            Language::Typed { language, .. } => match language {
-                TextLanguage::Il => WrittenIn::Il,
-                other => WrittenIn::Typed(*other),
-            },
+            Language::Typed { language, .. } if *language == TextLanguage::Il => WrittenIn::Il,
+            Language::Typed { language, .. } => WrittenIn::Typed(*language),
             Language::Xml { .. } => WrittenIn::Xml,
         }
     }

@@ -18,15 +18,12 @@ pub enum WrittenIn {
 
 impl WrittenIn {
     /// All of them.
-    pub const ALL: [WrittenIn; 7] = [
-        WrittenIn::Typed(TextLanguage::St),
-        WrittenIn::Typed(TextLanguage::Scl),
-        WrittenIn::Typed(TextLanguage::Iscl),
-        WrittenIn::Typed(TextLanguage::Lce),
-        WrittenIn::Il,
-        WrittenIn::Xml,
-        WrittenIn::Numeric,
-    ];
+    pub fn all() -> Vec<WrittenIn> {
+        let typed = TextLanguage::all().into_iter();
+        let typed = typed.filter(|language| *language != TextLanguage::Il);
+        let others = [WrittenIn::Il, WrittenIn::Xml, WrittenIn::Numeric];
+        typed.map(WrittenIn::Typed).chain(others).collect()
+    }
 
     /// Its name for `--language`, by which the names of its files end too; those of numeric code in `.txt`.
     pub const fn name(self) -> &'static str {
@@ -40,7 +37,7 @@ impl WrittenIn {
 
     /// The language with this name.
     pub fn named(name: &str) -> Option<WrittenIn> {
-        WrittenIn::ALL
+        WrittenIn::all()
             .into_iter()
             .find(|language| language.name() == name)
     }

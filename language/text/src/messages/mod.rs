@@ -26,18 +26,26 @@ use std::hash::{Hash, Hasher};
 
 use crate::severity::Severity;
 
-/// The words of a diagnostic in one language; the help is empty where there is none.
+/// The words of a diagnostic in one language.
 pub struct Words {
+    /// What is wrong, in a sentence without a full stop.
     pub message: &'static str,
+    /// What to do about it; empty where there is nothing to say.
     pub help: &'static str,
 }
 
-/// A row of the tables.
-struct Row {
-    number: u16,
-    severity: Severity,
-    english: Words,
-    portuguese: Words,
+/// A row of the tables, or of the table of a language from elsewhere.
+pub struct Row {
+    /// What its number follows: `ST` of `ST-101`.
+    pub table: &'static str,
+    /// Its number, which never changes its meaning.
+    pub number: u16,
+    /// How bad it is.
+    pub severity: Severity,
+    /// Its words in English.
+    pub english: Words,
+    /// Its words in Portuguese.
+    pub portuguese: Words,
 }
 
 /// What a diagnostic is about: a row of the tables, compared by its number. A program holds the rows that its code
@@ -52,6 +60,7 @@ macro_rules! messages {
             $(
                 #[doc = $en]
                 pub const $name: Code = Code(&Row {
+                    table: table($number),
                     number: $number,
                     severity: Severity::$severity,
                     english: Words { message: $en, help: $en_help },
@@ -67,6 +76,17 @@ macro_rules! messages {
 
 il_rows! { st_rows iscl_rows lce_rows xml_rows messages }
 
+/// What the numbers of a table follow.
+const fn table(number: u16) -> &'static str {
+    match number {
+        0..=99 => "IL",
+        100..=299 => "ST",
+        300..=399 => "ISCL",
+        400..=499 => "LCE",
+        _ => "XML",
+    }
+}
+
 /// No number stands twice.
 const _: () = {
     let mut next = 1;
@@ -77,6 +97,11 @@ const _: () = {
 };
 
 impl Code {
+    /// What a language from elsewhere says, by a row of its own table.
+    pub const fn of(row: &'static Row) -> Code {
+        Code(row)
+    }
+
     /// The number in its name: `IL-11`, `ST-101`, `ISCL-301`, `LCE-401`, `XML-501`.
     pub const fn number(self) -> u16 {
         self.0.number
@@ -100,7 +125,7 @@ impl Code {
 
 impl PartialEq for Code {
     fn eq(&self, other: &Code) -> bool {
-        self.number() == other.number()
+        self.cmp(other) == Ordering::Equal
     }
 }
 
@@ -114,7 +139,8 @@ impl PartialOrd for Code {
 
 impl Ord for Code {
     fn cmp(&self, other: &Code) -> Ordering {
-        self.number().cmp(&other.number())
+        let key = |code: &Code| (code.0.number, code.0.table);
+        key(self).cmp(&key(other))
     }
 }
 
@@ -127,14 +153,7 @@ impl Hash for Code {
 impl fmt::Display for Code {
     /// `IL-11`, `ST-101`, `ISCL-301`, `LCE-401`, `XML-501`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let number = self.number();
-        let table = match number {
-            0..=99 => "IL",
-            100..=299 => "ST",
-            300..=399 => "ISCL",
-            400..=499 => "LCE",
-            _ => "XML",
-        };
+        let Row { table, number, .. } = self.0;
         write!(f, "{table}-{number}")
     }
 }

@@ -3,11 +3,11 @@
 use super::open::{no_program, read};
 use super::output::write_new;
 use super::wording::Wording;
+use crate::messages;
 use crate::outcome::Outcome;
 use anstream::{eprintln, print};
 use anyhow::{anyhow, bail};
 use std::path::Path;
-use unoclp_cli::messages;
 use unoclp_exercise::scenario::ProgramFile;
 
 /// Writes a copy of a text with the points that the board lacks on others, into this file or to standard output.

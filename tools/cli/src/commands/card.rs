@@ -3,6 +3,7 @@
 use super::open::{Shown, open};
 use super::output::{Kind, Over, is_same, write, write_new};
 use super::wording::Wording;
+use crate::messages;
 use crate::outcome::Outcome;
 use anstream::println;
 use anyhow::{anyhow, bail};
@@ -10,7 +11,6 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 use unoclp_card::image::{Fat, Image};
-use unoclp_cli::messages;
 use unoclp_program::{not_sent, shown};
 
 /// The file in which the board keeps inputs and outputs, before it has done so.

@@ -3,11 +3,11 @@
 use super::open::{Shown, open};
 use super::output::{Kind, Over, is_same, write};
 use super::wording::Wording;
+use crate::messages;
 use crate::outcome::Outcome;
 use anstream::{eprintln, print};
 use anyhow::bail;
 use std::path::Path;
-use unoclp_cli::messages;
 
 /// Compiles a text to numeric code, into this file or to standard output.
 pub fn compile(path: &Path, output: Option<&Path>, over: Over, wording: &Wording) -> Outcome {

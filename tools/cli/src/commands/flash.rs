@@ -4,14 +4,14 @@ use super::interrupt::{Interrupt, Interrupted};
 use super::open::read;
 use super::progress::{self, hide};
 use super::words::models;
+use crate::messages;
 use crate::outcome::Outcome;
+use crate::port::Port;
 use anyhow::{anyhow, bail};
 use clap::Args;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use unoclp_boot::{Image, Model, Progress, Writer};
-use unoclp_cli::messages;
-use unoclp_cli::port::Port;
 
 /// What is written, and where.
 #[derive(Args)]

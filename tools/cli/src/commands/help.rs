@@ -518,7 +518,7 @@ mod tests {
 
     #[test]
     fn everything_is_explained_in_portuguese() {
-        let english = crate::Arguments::command();
+        let english = crate::arguments::Arguments::command();
         let portuguese = in_portuguese(english.clone());
         let (english, portuguese) = (all("", &english), all("", &portuguese));
         assert!(english.len() > 14);
@@ -537,7 +537,7 @@ mod tests {
 
     #[test]
     fn a_page_of_help_has_no_english_left() {
-        let mut command = in_portuguese(crate::Arguments::command());
+        let mut command = in_portuguese(crate::arguments::Arguments::command());
         let mut pages = vec![command.render_long_help().to_string()];
         for (_, mut subcommand) in all("", &command) {
             pages.push(subcommand.render_long_help().to_string());

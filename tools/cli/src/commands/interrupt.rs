@@ -1,12 +1,12 @@
 //! Ctrl-C while a board is spoken to: what is under way ends in order. Pressed again, it ends at once.
 
+use crate::messages;
 use signal_hook::consts::SIGINT;
 use signal_hook::flag;
 use std::io;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use unoclp_cli::messages;
 
 /// The exit code of a program that Ctrl-C has ended, as shells have it.
 const ENDED: i32 = 130;

@@ -5,10 +5,10 @@ use super::output::{Kind, Over, may_write, write};
 use super::wording::Wording;
 use super::words::Form;
 use crate::outcome::Outcome;
+use crate::{ascii, messages};
 use anstream::{eprintln, print, println};
 use anyhow::{anyhow, bail};
 use std::path::{Path, PathBuf};
-use unoclp_cli::{ascii, messages};
 use unoclp_program::{Diagnostic, Lang, Source, harmless_lines, list as listing, shown};
 
 /// A ladder diagram in a file.

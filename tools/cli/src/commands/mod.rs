@@ -70,10 +70,10 @@ pub use upload::{Leave, upload};
 pub use wording::{Wording, langs, language};
 pub use words::{Form, Paper};
 
+use crate::messages;
+use crate::port::{Found, Place, Port, find};
 use anyhow::anyhow;
 use clap::Args;
-use unoclp_cli::messages;
-use unoclp_cli::port::{Found, Place, Port, find};
 use unoclp_client::diagnostics::Diagnostics;
 use unoclp_client::{Failure, Line, Patience};
 use unoclp_modbus::Exception;

@@ -2,14 +2,14 @@
 
 use super::open::{Shown, open};
 use super::wording::Wording;
+use crate::messages;
+use crate::monitor::{App, Program, run, watch};
 use crate::outcome::Outcome;
+use crate::port::Place;
 use anstream::println;
 use anyhow::bail;
 use std::io::{IsTerminal, stdin, stdout};
 use std::path::Path;
-use unoclp_cli::messages;
-use unoclp_cli::monitor::{App, Program, run, watch};
-use unoclp_cli::port::Place;
 use unoclp_client::Patience;
 use unoclp_program::not_sent;
 

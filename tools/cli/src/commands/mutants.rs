@@ -3,11 +3,11 @@
 use super::open::unreadable;
 use super::plant::machine;
 use super::wording::Wording;
+use crate::messages;
 use crate::outcome::Outcome;
 use anstream::println;
 use anyhow::{anyhow, bail};
 use std::path::Path;
-use unoclp_cli::messages;
 use unoclp_exercise::mutants::{Slip, passing};
 use unoclp_exercise::scenario::{Exercise, ProgramFile};
 use unoclp_program::{harmless, shown};

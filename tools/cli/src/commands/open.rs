@@ -2,13 +2,13 @@
 
 use super::excerpt::renderer;
 use super::wording::Wording;
+use crate::messages;
 use crate::outcome::Outcome;
 use anstream::{eprint, eprintln, println};
 use anyhow::{anyhow, bail};
 use std::io::{Read, stdin};
 use std::path::Path;
 use unoclp_checked::Diagnosis;
-use unoclp_cli::messages;
 use unoclp_core::Fault;
 use unoclp_exercise::scenario::{LONGEST, ProgramFile, Unreadable};
 use unoclp_lang::{self as lang, Severity, Told};

@@ -3,13 +3,13 @@
 //! A file is written beside its place, reaches the disk, and takes its place then: where that fails, on a full disk or a
 //! card that is pulled out, the old file is there as it was. Owns that way, and the marks by which own files are known.
 
+use crate::messages;
 use anyhow::{anyhow, bail};
 use clap::Args;
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
-use unoclp_cli::messages;
 use unoclp_program::{is_ours, shown};
 
 /// What may be overwritten.

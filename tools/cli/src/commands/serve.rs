@@ -28,9 +28,9 @@ pub struct Doors {
 /// Serves the page until Ctrl-C, and shares the boards if there are some.
 #[cfg(feature = "page")]
 pub fn serve(doors: Doors) -> Outcome {
-    use unoclp_cli::own::Own;
-    use unoclp_cli::shared::{page, share, share_site};
-    use unoclp_cli::site_file;
+    use crate::own::Own;
+    use crate::shared::{page, share, share_site};
+    use crate::site_file;
     let Doors {
         http,
         port,
@@ -78,5 +78,5 @@ pub fn serve(doors: Doors) -> Outcome {
     } = doors;
     // What was asked for waits for a program that has the page.
     drop((http, port.map(|port| spoken.at(port)), exercises, site));
-    Err(anyhow::anyhow!(unoclp_cli::messages::no_page()))
+    Err(anyhow::anyhow!(crate::messages::no_page()))
 }

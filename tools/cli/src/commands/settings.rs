@@ -2,11 +2,11 @@
 
 use super::words::{Lock, Parity};
 use super::{failed, meet, not_stopped};
+use crate::messages;
 use crate::outcome::Outcome;
+use crate::port::{Place, Port, find};
 use anyhow::{anyhow, bail};
 use clap::{Args, ValueEnum};
-use unoclp_cli::messages;
-use unoclp_cli::port::{Place, Port, find};
 use unoclp_client::diagnostics::Diagnostics;
 use unoclp_client::map::{Command, State};
 use unoclp_client::settings::{RATES, Settings};

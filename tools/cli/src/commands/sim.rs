@@ -4,13 +4,13 @@ use super::open::{Shown, check_written, open, read, running};
 use super::output::{Draft, Kind, Over, cannot_write, may_write, write};
 use super::wording::Wording;
 use crate::outcome::Outcome;
+use crate::panel::{self, App};
+use crate::{ascii, messages};
 use anstream::println;
 use anyhow::{anyhow, bail};
 use std::collections::BTreeMap;
 use std::io::{BufWriter, IsTerminal, Write, stdin, stdout};
 use std::path::Path;
-use unoclp_cli::panel::{self, App};
-use unoclp_cli::{ascii, messages};
 use unoclp_core::Board;
 use unoclp_exercise::diagram;
 use unoclp_exercise::scenario::{

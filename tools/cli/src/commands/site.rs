@@ -1,11 +1,11 @@
 //! `unoclp site`.
 
 use crate::outcome::Outcome;
+use crate::{messages, site_file, stores};
 use anyhow::anyhow;
 use clap::{Args, Subcommand};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use unoclp_cli::{messages, site_file, stores};
 use unoclp_history::{Database, Failure, NotMoved, Postgres, Query, Sqlite, csv};
 use unoclp_journal::{File, now};
 use unoclp_program::shown;

@@ -1,8 +1,8 @@
 //! The options that say in what a program is written.
 
+use crate::messages;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use unoclp_cli::messages;
 use unoclp_core::Board;
 use unoclp_lang::{Dialect, Lang, TextLanguage};
 use unoclp_program::{Language, Written, WrittenIn};
@@ -22,7 +22,7 @@ pub struct Wording {
 }
 
 fn languages() -> impl TypedValueParser<Value = WrittenIn> {
-    PossibleValuesParser::new(WrittenIn::ALL.map(WrittenIn::name))
+    PossibleValuesParser::new(WrittenIn::all().into_iter().map(WrittenIn::name))
         .map(|name| WrittenIn::named(&name).unwrap_or(WrittenIn::Numeric))
 }
 
@@ -60,13 +60,10 @@ impl Wording {
             Language::Numeric => None,
             Language::Il { dialect, .. } => Some(self.dialect(*dialect)),
             Language::Xml { .. } => Some("PLCopen XML".to_owned()),
-            Language::Typed { language, .. } => Some(match language {
-                TextLanguage::St | TextLanguage::Scl => messages::structured_text(),
-                // Names, the same in every language.
-                TextLanguage::Iscl => "InterSCL".to_owned(),
-                TextLanguage::Lce => "LCE".to_owned(),
-                TextLanguage::Il => self.dialect(Dialect::Iec),
-            }),
+            Language::Typed { language, .. } if *language == TextLanguage::Il => {
+                Some(self.dialect(Dialect::Iec))
+            }
+            Language::Typed { language, .. } => Some(language.title(messages::spoken()).to_owned()),
         }
     }
 

@@ -502,7 +502,6 @@ unoclp_words::messages! {
         "the card image cannot be built: {error}"
         "não foi possível montar a imagem do cartão: {error}";
     dialect(name) "dialect {name}" "dialeto {name}";
-    structured_text() "Structured Text" "Texto Estruturado";
     dialect_by_words(name) "dialect {name}, by its words" "dialeto {name}, pelas palavras";
     compiled(dialect, codes, warnings)
         "{dialect}; codes: {codes}, warnings: {warnings}"

@@ -1,10 +1,10 @@
 //! Which files are programs of a class.
 
+use crate::messages;
 use anyhow::{anyhow, bail};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use unoclp_cli::messages;
 use unoclp_program::{WrittenIn, shown};
 
 /// What a class has handed in.

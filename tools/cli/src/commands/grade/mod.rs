@@ -18,13 +18,13 @@ use super::open::unreadable;
 use super::output::{Kind, Over, may_write, write};
 use super::plant::machine;
 use super::wording::Wording;
+use crate::messages;
 use crate::outcome::Outcome;
 use anstream::{eprintln, print, println};
 use anyhow::anyhow;
 use clap::Args;
 use row::Row;
 use std::path::{Path, PathBuf};
-use unoclp_cli::messages;
 use unoclp_exercise::scenario::{Exercise, ProgramFile};
 use unoclp_program::shown;
 

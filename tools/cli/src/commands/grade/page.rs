@@ -1,8 +1,8 @@
 //! The rows as a page for a browser or a printer, which needs nothing but itself.
 
 use super::row::{Fail, Row, Shown};
+use crate::messages;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
-use unoclp_cli::messages;
 use unoclp_exercise::scenario::Exercise;
 use unoclp_program::Lang;
 

@@ -1,9 +1,9 @@
 //! What came of a program.
 
 use super::super::plant::what_first;
+use crate::messages;
 use annotate_snippets::Renderer;
 use std::path::Path;
-use unoclp_cli::messages;
 use unoclp_exercise::diagram;
 use unoclp_exercise::find::{Answer, Hidden};
 use unoclp_exercise::scenario::{Exercise, Failing, ProgramFile, Verdict, grade};

@@ -1,7 +1,7 @@
 //! The rows for a terminal.
 
 use super::row::Row;
-use unoclp_cli::{ascii, messages};
+use crate::{ascii, messages};
 use unoclp_exercise::scenario::Exercise;
 use unoclp_program::harmless;
 

@@ -3,10 +3,10 @@
 use super::super::open::{check_written, running};
 use super::ran::{Ran, Row};
 use super::what::{What, Work, find};
+use crate::messages;
 use anstream::eprintln;
 use anyhow::anyhow;
 use std::collections::{BTreeMap, BTreeSet};
-use unoclp_cli::messages;
 use unoclp_core::{Image, Inputs, Millis};
 use unoclp_host_sim::engine::Machine;
 use unoclp_lang as lang;

@@ -1,7 +1,7 @@
 //! What a run has come to, for a person: what was printed, and the symbols in columns.
 
 use super::ran::Ran;
-use unoclp_cli::messages;
+use crate::messages;
 use unoclp_lang::typed::{Base, Value};
 
 /// What was printed, a line for each.

@@ -2,10 +2,10 @@
 
 use super::super::open::{Shown, read};
 use super::super::wording::Wording;
+use crate::messages;
 use anyhow::bail;
 use clap::Args;
 use std::path::PathBuf;
-use unoclp_cli::messages;
 use unoclp_program::Written;
 
 /// What to run, and how.

@@ -1,0 +1,375 @@
+//! The command line: `unoclp check`, `compile`, `list`, `sim`, `grade`, `run` and `card` on this PC,
+//! `unoclp upload`, `unoclp monitor`, `unoclp settings` and `unoclp flash` on a board, `unoclp serve` for browsers,
+//! `unoclp site` for the file that says what it serves.
+//!
+//! Exit codes: 0 all is well; 1 a program has faults or an expectation was not met; 2 the command
+//! could not be carried out.
+
+use crate::commands::{
+    self, At, Changes, Class, Doors, Firmware, Form, Leave, Machine, OfPlant, OfSite, Over, Paper,
+    What, Wording, in_portuguese, langs, language, refuse,
+};
+use crate::messages;
+use anstream::eprintln;
+use anyhow::anyhow;
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use std::env;
+use std::ffi::OsString;
+use std::io;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use unoclp_draw::NARROWEST;
+use unoclp_lang::Lang;
+
+/// The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it
+#[derive(Parser)]
+#[command(name = "unoclp", version, arg_required_else_help = true)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+    /// The language in which everything is told; else that of the environment
+    // `asked` has read it before.
+    #[arg(long, global = true, value_parser = langs())]
+    lang: Option<Lang>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Check a program: its size, or every fault with its line
+    Check {
+        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
+        file: PathBuf,
+        #[command(flatten)]
+        wording: Wording,
+    },
+    /// Compile a text to numeric code
+    Compile {
+        /// The text: Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
+        file: PathBuf,
+        /// Where to write the numeric code; to standard output without it, and for -
+        #[arg(short, long, value_name = "PROGRAM.TXT")]
+        output: Option<PathBuf>,
+        #[command(flatten)]
+        over: Over,
+        #[command(flatten)]
+        wording: Wording,
+    },
+    /// Give the points of a text that a board lacks a place on it, in a copy
+    Adapt {
+        /// The text: Instruction List (.il) or Structured Text (.st, .scl); - reads it from standard input
+        file: PathBuf,
+        /// Where to write the copy, over nothing that is there; to standard output without it, and for -
+        #[arg(short, long, value_name = "COPY")]
+        output: Option<PathBuf>,
+        #[command(flatten)]
+        wording: Wording,
+    },
+    /// Show a program as a ladder diagram, Instruction List, Structured Text, PLCopen XML, or numeric code with its meaning
+    List {
+        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
+        file: PathBuf,
+        #[command(flatten)]
+        wording: Wording,
+        /// What to list it as
+        #[arg(long = "as", value_name = "FORM", value_enum, default_value_t)]
+        form: Form,
+        /// Draw the ladder diagram into this file, as vector graphics
+        #[arg(long, value_name = "OUT.svg")]
+        svg: Option<PathBuf>,
+        /// On pages of this paper, for a report: OUT.svg, or OUT-1.svg and so on where it takes several
+        #[arg(long, value_name = "PAPER", value_enum, requires = "svg")]
+        paper: Option<Paper>,
+        /// The title of these pages; without it, the first comment of the program
+        #[arg(long, value_name = "TEXT", requires = "paper")]
+        title: Option<String>,
+        #[command(flatten)]
+        over: Over,
+        /// The columns that a ladder diagram may take
+        #[arg(long, value_name = "N", default_value_t = 80,
+            value_parser = clap::value_parser!(u16).range(NARROWEST as i64..=1000))]
+        width: u16,
+    },
+    /// Simulate a program, by hand in this terminal or by a scenario
+    Sim {
+        /// The program, in any of the languages; with a scenario, runs instead of the program that it names
+        file: Option<PathBuf>,
+        /// Run this scenario without a terminal: print what changes, and compare it
+        #[arg(long, value_name = "S.toml")]
+        scenario: Option<PathBuf>,
+        /// Run this case of the scenario alone, counted from 1
+        #[arg(long, value_name = "N", requires = "scenario", value_parser = clap::value_parser!(u16).range(1..))]
+        case: Option<u16>,
+        /// Draw what was pressed, expected and came into this file, as a timing diagram; of a machine, pictures of it
+        #[arg(long, value_name = "OUT.svg")]
+        svg: Option<PathBuf>,
+        /// Write the trace of all inputs, outputs and timers for a wave viewer
+        #[arg(long, value_name = "OUT.vcd")]
+        vcd: Option<PathBuf>,
+        #[command(flatten)]
+        machine: Machine,
+        #[command(flatten)]
+        over: Over,
+        #[command(flatten)]
+        wording: Wording,
+    },
+    /// Check a machine that programs control, or draw it
+    Plant {
+        #[command(subcommand)]
+        of: OfPlant,
+    },
+    /// Run the programs of a class through the cases of an exercise
+    Grade {
+        #[command(flatten)]
+        class: Class,
+    },
+    /// Make wrong programs of an exercise's solution, and say which of them pass
+    Mutants {
+        /// The exercise: a scenario file with cases (.toml)
+        exercise: PathBuf,
+        #[command(flatten)]
+        wording: Wording,
+    },
+    /// Run a program on this PC, and show its variables
+    Run {
+        #[command(flatten)]
+        what: What,
+    },
+    /// Put a program on a memory card, or on a new image of one
+    Card {
+        /// The folder of a mounted card, or a new image file (.img)
+        card: PathBuf,
+        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
+        file: PathBuf,
+        /// With STATE.TXT, in which the board then keeps inputs and outputs
+        #[arg(long)]
+        state: bool,
+        #[command(flatten)]
+        over: Over,
+        #[command(flatten)]
+        wording: Wording,
+    },
+    /// Put a program on a board, over its serial port, in place of a card
+    Upload {
+        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
+        file: PathBuf,
+        #[command(flatten)]
+        wording: Wording,
+        #[command(flatten)]
+        at: At,
+        #[command(flatten)]
+        leave: Leave,
+    },
+    /// Put the firmware on a board through its boot loader, read it back and compare
+    Flash {
+        #[command(flatten)]
+        what: Firmware,
+    },
+    /// Watch a board, force its inputs and outputs, and let it run and stop
+    Monitor {
+        /// The program that it runs, in any of the languages, to show its variables and rungs
+        file: Option<PathBuf>,
+        #[command(flatten)]
+        wording: Wording,
+        #[command(flatten)]
+        at: At,
+        /// Have the board let go all that is forced after so many seconds without a request
+        #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u8).range(1..=254))]
+        end_forcing: Option<u8>,
+    },
+    /// Serve the lab's page, and with --port or --site share boards
+    Serve {
+        #[command(flatten)]
+        doors: Doors,
+    },
+    /// Check a site file: which boards a gateway serves, and to whom
+    Site {
+        #[command(subcommand)]
+        of: OfSite,
+    },
+    /// Show and set a board's address, rate, parity, direction pin and lock
+    Settings {
+        #[command(flatten)]
+        at: At,
+        #[command(flatten)]
+        changes: Changes,
+    },
+}
+
+/// The arguments; without right ones this ends here, with what is wrong.
+fn arguments() -> Arguments {
+    match messages::spoken() {
+        Lang::En => Arguments::parse(),
+        Lang::Pt => in_portuguese(Arguments::command())
+            .try_get_matches_from(help_behind(env::args_os().collect()))
+            .and_then(|matches| Arguments::from_arg_matches(&matches))
+            .unwrap_or_else(|error| refuse(&error)),
+    }
+}
+
+/// The same arguments with `help list` as `list --help`: clap explains its command `help` in English alone.
+fn help_behind(mut arguments: Vec<OsString>) -> Vec<OsString> {
+    let is_value = |at: usize| at > 0 && arguments[at - 1] == "--lang";
+    let is_command =
+        |at: &usize| !is_value(*at) && !arguments[*at].to_string_lossy().starts_with('-');
+    let command = (1..arguments.len()).find(is_command);
+    if let Some(at) = command.filter(|&at| arguments[at] == "help") {
+        arguments.remove(at);
+        arguments.push("--help".into());
+    }
+    arguments
+}
+
+/// The language that the arguments ask for, by --lang: it must be known before anything is said of them.
+fn asked() -> Option<Lang> {
+    let arguments: Vec<String> = env::args_os()
+        .map(|argument| argument.to_string_lossy().into_owned())
+        .collect();
+    let behind = arguments.windows(2).filter(|pair| pair[0] == "--lang");
+    let names = behind.map(|pair| pair[1].as_str());
+    let joined = arguments
+        .iter()
+        .filter_map(|argument| argument.strip_prefix("--lang="));
+    names.chain(joined).find_map(language)
+}
+
+/// That of the environment.
+fn environment() -> Lang {
+    let value = |name: &str| env::var(name).ok().filter(|value| !value.is_empty());
+    let value = ["LC_ALL", "LC_MESSAGES", "LANG"]
+        .into_iter()
+        .find_map(value);
+    value.as_deref().and_then(language).unwrap_or_default()
+}
+
+impl Command {
+    /// Whether it must not end before a board is as it is to be.
+    fn changes_a_board(&self) -> bool {
+        matches!(
+            self,
+            Command::Upload { .. } | Command::Settings { .. } | Command::Flash { .. }
+        )
+    }
+}
+
+/// Ends this quietly once nobody reads its output any more.
+fn end_with_the_pipe() {
+    #[cfg(unix)]
+    if let Err(error) = signal_hook::flag::register_conditional_default(
+        signal_hook::consts::SIGPIPE,
+        std::sync::Arc::new(std::sync::atomic::AtomicBool::new(true)),
+    ) {
+        eprintln!("{}", messages::warning(messages::io(&error)));
+    }
+}
+
+/// Does what the arguments of this process say.
+pub fn run() -> ExitCode {
+    messages::speak(asked().unwrap_or_else(environment));
+    let command = arguments().command;
+    if !command.changes_a_board() {
+        end_with_the_pipe();
+    }
+    let outcome = match command {
+        Command::Check { file, wording } => commands::check(&file, &wording),
+        Command::Compile {
+            file,
+            output,
+            over,
+            wording,
+        } => commands::compile(&file, output.as_deref(), over, &wording),
+        Command::Adapt {
+            file,
+            output,
+            wording,
+        } => commands::adapt(&file, output.as_deref(), &wording),
+        Command::List {
+            file,
+            wording,
+            form,
+            svg,
+            paper,
+            title,
+            over,
+            width,
+        } => {
+            let picture = svg.as_deref().map(|file| commands::Picture {
+                file,
+                paper: paper.map(Paper::into),
+                title: title.as_deref(),
+                over,
+            });
+            commands::list(&file, &wording, form, picture, width.into())
+        }
+        Command::Sim {
+            file,
+            scenario,
+            case,
+            svg,
+            vcd,
+            machine,
+            over,
+            wording,
+        } => match (file, scenario) {
+            (None, None) if machine.plant().is_some() => {
+                Err(anyhow!(messages::plant_without_program()))
+            }
+            (_, None) if svg.is_some() && machine.plant().is_none() => {
+                Err(anyhow!(messages::svg_of_what()))
+            }
+            (Some(file), None) if machine.plant().is_some() => {
+                commands::drive(&file, &machine, svg.as_deref(), over, &wording)
+            }
+            (file, Some(scenario)) => {
+                let run = commands::Run {
+                    program: file.as_deref(),
+                    case: case.map(usize::from),
+                    vcd: vcd.as_deref(),
+                    svg: svg.as_deref(),
+                    over,
+                };
+                commands::scenario(&scenario, run, &wording)
+            }
+            (Some(file), None) => commands::simulate(&file, vcd.as_deref(), over, &wording),
+            (None, None) => Err(anyhow!(messages::nothing_to_simulate())),
+        },
+        Command::Plant { of } => commands::plant(&of),
+        Command::Grade { class } => commands::grade(&class),
+        Command::Mutants { exercise, wording } => commands::find_mutants(&exercise, &wording),
+        Command::Run { what } => commands::run(what),
+        Command::Card {
+            card,
+            file,
+            state,
+            over,
+            wording,
+        } => commands::card(&card, &file, state, over, &wording),
+        Command::Upload {
+            file,
+            wording,
+            at,
+            leave,
+        } => commands::upload(&file, &at.place(), &leave, &wording),
+        Command::Flash { what } => commands::flash(&what),
+        Command::Monitor {
+            file,
+            wording,
+            at,
+            end_forcing,
+        } => commands::monitor(file.as_deref(), at.place(), end_forcing, &wording),
+        Command::Serve { doors } => commands::serve(doors),
+        Command::Site { of } => commands::site(&of),
+        Command::Settings { at, changes } => commands::settings(&at.place(), &changes),
+    };
+    match outcome {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            let told = match error.downcast_ref::<io::Error>() {
+                Some(error) => messages::io(error),
+                None => error.to_string(),
+            };
+            eprintln!("{}", messages::error(told));
+            ExitCode::from(2)
+        }
+    }
+}
