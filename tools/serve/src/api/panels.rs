@@ -58,11 +58,14 @@ impl Api {
             None => {}
         }
         let written = orders::write(gateway, grant, set.value).await;
-        match (&written, set.hold) {
+        let is_over = match &written {
+            Ok(()) => set.hold.is_none(),
             // A board that was silent may have heard it.
-            (Err(Exception::GatewayTargetSilent), _) | (Ok(()), Some(_)) => {}
-            (Err(_), None) => {}
-            (Ok(()), None) | (Err(_), Some(_)) => self.holding.forget(grant),
+            Err(Exception::GatewayTargetSilent) => false,
+            Err(_) => set.hold.is_some(),
+        };
+        if is_over {
+            self.holding.forget(grant);
         }
         written.map_err(|exception| match exception {
             Exception::ServerDeviceBusy => No::Controlled,
