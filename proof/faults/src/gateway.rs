@@ -18,6 +18,8 @@ const HISTORY: &str = "history";
 /// Where a gateway keeps, and to whom it reports.
 #[derive(Clone, Debug)]
 pub struct Place {
+    /// What its board is called, and the topic above all others.
+    pub name: String,
     /// Its files.
     pub folder: PathBuf,
     /// The port of its broker.
@@ -51,9 +53,9 @@ impl Place {
     }
 
     fn site(&self) -> Site {
+        let Place { name, broker, .. } = self;
         let text = format!(
-            "[[line]]\nport = \"a\"\n[[line.board]]\nname = \"b\"\n[mqtt]\nbroker = \"mqtt://127.0.0.1:{}\"\n",
-            self.broker
+            "[[line]]\nport = \"a\"\n[[line.board]]\nname = \"{name}\"\n[mqtt]\nbroker = \"mqtt://127.0.0.1:{broker}\"\ntopic = \"{name}\"\n",
         );
         unoclp_site::read(&text, &NoFiles).unwrap_or_else(|wrong| panic!("{wrong:?}"))
     }
@@ -88,7 +90,11 @@ pub fn count(place: &Place) {
     let (ends, finishes) = told();
     while !ends.load(Ordering::Relaxed) && !finishes.load(Ordering::Relaxed) {
         let last = next + BATCH;
-        journal.put((next..last).map(sample).collect());
+        journal.put(
+            (next..last)
+                .map(|number| sample(&place.name, number))
+                .collect(),
+        );
         next = last;
         while history.last() + 1 < next && !ends.load(Ordering::Relaxed) {
             std::thread::yield_now();
@@ -109,9 +115,9 @@ pub fn count(place: &Place) {
     keeper.end();
 }
 
-fn sample(number: u64) -> Sample {
+fn sample(board: &str, number: u64) -> Sample {
     Sample {
-        board: "b".into(),
+        board: board.into(),
         point: "A0".into(),
         at: number as i64,
         value: Some(number as f64),

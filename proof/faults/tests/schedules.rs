@@ -23,7 +23,7 @@ use unoclp_faults::{Place, Tap, count};
 use unoclp_history::Query;
 use unoclp_testing::{Random, rounds};
 
-/// As `BROKER:FOLDER`, or `BROKER:FOLDER:PORT:DATABASE`: what the gateway below is told.
+/// As `NAME:BROKER:FOLDER`, or `NAME:BROKER:FOLDER:PORT:DATABASE`: what the gateway below is told.
 const PLACE: &str = "UNOCLP_FAULTS";
 /// No test waits for longer: what has not come by then does not come. A busy disk makes a commit wait for a minute.
 const PATIENCE: Duration = Duration::from_secs(300);
@@ -39,6 +39,7 @@ fn a_gateway_counts() {
     let mut parts = told.split(':');
     let mut next = || parts.next().map(str::to_owned);
     count(&Place {
+        name: next().unwrap(),
         broker: next().unwrap().parse().unwrap(),
         folder: next().unwrap().into(),
         postgres: next().map(|port| (port.parse().unwrap(), next().unwrap())),
@@ -56,10 +57,10 @@ struct Gateway {
 
 impl Gateway {
     fn begin(seed: u64, place: &Place) -> Gateway {
-        let (broker, folder) = (place.broker, place.folder.display());
+        let (name, broker, folder) = (&place.name, place.broker, place.folder.display());
         let told = match &place.postgres {
-            None => format!("{broker}:{folder}"),
-            Some((port, database)) => format!("{broker}:{folder}:{port}:{database}"),
+            None => format!("{name}:{broker}:{folder}"),
+            Some((port, database)) => format!("{name}:{broker}:{folder}:{port}:{database}"),
         };
         // A file that must not grow is an error to it, as a disk that is full; not its end.
         let mut child = Command::new("env")
@@ -185,6 +186,7 @@ fn schedule(seed: u64, postgres: &Postgres) {
         (server.port, name)
     });
     let place = Place {
+        name: "b".into(),
         folder: folder.path().to_owned(),
         broker: tap.port,
         postgres: database,
@@ -243,14 +245,14 @@ fn schedule(seed: u64, postgres: &Postgres) {
     let story = format!("schedule {seed}: {done:?}");
     assert!(last >= least, "{story}: {last} < {least}");
     exactly_once(&place, last, &story);
-    in_order(&tap, last, &story);
+    in_order(&place, &tap, last, &story);
 }
 
 /// The history has each sample once.
 fn exactly_once(place: &Place, last: u64, story: &str) {
     let mut store = place.database().read().unwrap();
     let rows = store.rows(&Query {
-        board: "b".into(),
+        board: place.name.clone(),
         point: "A0".into(),
         from: 0,
         to: i64::MAX,
@@ -266,10 +268,11 @@ fn exactly_once(place: &Place, last: u64, story: &str) {
 }
 
 /// A broker has confirmed each sample, none before the one that comes before it, and each with its number.
-fn in_order(tap: &Tap, last: u64, story: &str) {
+fn in_order(place: &Place, tap: &Tap, last: u64, story: &str) {
+    let topic = format!("{0}/{0}/A0", place.name);
     let mut seen = 0;
-    for (topic, payload) in tap.confirmed() {
-        if !topic.ends_with("/b/A0") {
+    for (at, payload) in tap.confirmed() {
+        if at != topic {
             continue;
         }
         let text = String::from_utf8(payload).unwrap();
@@ -292,7 +295,11 @@ fn under_random_schedules_nothing_is_lost_doubled_or_out_of_order() {
         Path::new("/usr/bin/prlimit").exists(),
         "util-linux brings it"
     );
-    let all = u64::from(rounds(30));
+    // A test of long makes a thousand at least.
+    let all = match rounds(30) {
+        few @ ..=30 => u64::from(few),
+        many => u64::from(many).max(1_000),
+    };
     let postgres = Postgres {
         server: Mutex::new(database::Server::new()),
         databases: AtomicU32::new(0),
@@ -311,4 +318,48 @@ fn under_random_schedules_nothing_is_lost_doubled_or_out_of_order() {
             });
         }
     });
+}
+
+/// What each of two gateways keeps and tells is its own, whatever becomes of the other, of their broker and of their database.
+#[test]
+fn two_gateways_share_a_broker_and_a_database() {
+    let mut server = database::Server::new();
+    server.database("site");
+    let mut broker = Broker::new();
+    let folders = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    let taps = [(); 2].map(|()| Tap::new(broker.port).unwrap());
+    let places = [0, 1].map(|at: usize| Place {
+        name: ["east", "west"][at].into(),
+        folder: folders[at].path().to_owned(),
+        broker: taps[at].port,
+        postgres: Some((server.port, "site".into())),
+    });
+    let [mut east, mut west] = [0, 1].map(|at| Gateway::begin(at as u64, &places[at]));
+    let mut least = [0; 2];
+    for round in 0..3 {
+        least = [east.commits(2), west.commits(2)];
+        match round {
+            0 => server.kill(),
+            1 => broker.kill(),
+            _ => {}
+        }
+        east.kill();
+        // The other one goes on without it.
+        west.commits(3);
+        east = Gateway::begin(0, &places[0]);
+        match round {
+            0 => server.begin(),
+            1 => broker.begin(),
+            _ => {}
+        }
+    }
+    for (at, mut gateway) in [east, west].into_iter().enumerate() {
+        gateway.tell("finish");
+        let last: u64 = gateway.hears("done ").parse().unwrap();
+        assert!(gateway.child.wait().unwrap().success());
+        let name = &places[at].name;
+        assert!(last >= least[at], "{name}: {last} < {}", least[at]);
+        exactly_once(&places[at], last, name);
+        in_order(&places[at], &taps[at], last, name);
+    }
 }

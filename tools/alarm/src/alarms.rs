@@ -24,6 +24,8 @@ pub struct Standing {
     pub text: Text,
     /// How severe it is.
     pub severity: Severity,
+    /// The boards whose points its condition reads, each once.
+    pub boards: Vec<String>,
     /// How it stands.
     pub state: State,
     /// Since when: ms since 1970; none where that was always so.
@@ -168,6 +170,7 @@ fn standing(of: &Alarm, last: Option<&Happening>) -> Standing {
         name: of.name.clone(),
         text: of.text.clone(),
         severity: of.severity,
+        boards: of.when.boards(),
         state: last
             .and_then(|last| State::of(&last.state))
             .unwrap_or_default(),

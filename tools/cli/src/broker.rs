@@ -10,8 +10,8 @@ use std::sync::Arc;
 use unoclp_journal::Journal;
 use unoclp_modbus::Exception;
 use unoclp_program::shown;
-use unoclp_report::{Carry, Command, Refusal, Reporter, Tell, Trouble, Unready};
-use unoclp_serve::{Order, Ordered, Orders};
+use unoclp_report::{Carry, Command, Refusal, Reporter, Tell, Trouble, Unready, Wish};
+use unoclp_serve::{Acknowledgement, NotDone, Order, Ordered, Orders};
 use unoclp_site::{Broker, Mqtt, Site};
 
 /// Begins to report a site. What the broker brings comes out at the other end.
@@ -48,14 +48,26 @@ pub fn begin(
 }
 
 fn carry(orders: Orders) -> Carry {
-    Arc::new(move |command, done| {
-        let Command { grant, value, .. } = command;
-        orders.send(Order {
+    Arc::new(move |wish, done| match wish {
+        Wish::Set(Command { grant, value, .. }) => orders.send(Order {
             grant,
             value,
             done: Box::new(move |result| done(result.map_err(refusal))),
-        });
+        }),
+        Wish::Acknowledge(alarm) => orders.acknowledge(Acknowledgement {
+            alarm,
+            done: Box::new(move |result| done(result.map_err(not_acknowledged))),
+        }),
     })
+}
+
+/// Why an alarm is not acknowledged, as a broker is told.
+fn not_acknowledged(why: NotDone) -> Refusal {
+    match why {
+        NotDone::NoAlarm => Refusal::NoAlarm,
+        NotDone::Nothing => Refusal::Nothing,
+        NotDone::Ended => Refusal::Ending,
+    }
 }
 
 /// The exception of a gateway or a board, as a broker is told.

@@ -257,7 +257,8 @@ fn a_browser_operates_a_site_by_its_screens() {
     );
     let file = site("screens", &lines);
     forget(&file);
-    let panel = "[[item]]\nshow = \"switch\"\npoint = \"one.Q1\"\nlabel = { en = \"Lamp\", pt = \"Lâmpada\" }\n";
+    let panel = "[[item]]\nshow = \"switch\"\npoint = \"one.Q1\"\nlabel = { en = \"Lamp\", pt = \"Lâmpada\" }\n\
+        [[item]]\nshow = \"button\"\npoint = \"one.Q2\"\nlabel = \"Horn\"\n";
     std::fs::write(file.replace(".toml", ".panel.toml"), panel).unwrap();
     let server = Server::of(&mut unoclp_site(&file));
     let address = format!("http://{}/site.html", server.address);
@@ -887,4 +888,74 @@ fn an_alarm_outlasts_a_gateway_that_is_killed_and_who_acknowledged_it_is_known()
     ];
     assert_eq!(csv("/api/alarms/history.csv"), expected);
     assert_eq!(csv("/api/deeds.csv"), ["eva,127.0.0.1,lit,acknowledge,"]);
+}
+
+#[test]
+fn an_alarm_is_acknowledged_over_a_broker_where_the_site_says_so() {
+    let broker = Broker::new();
+    let fake = Fake::new(Board::default());
+    let lines = |acknowledge: &str| {
+        format!(
+            "[mqtt]\nbroker = \"mqtt://127.0.0.1:{}\"\n{acknowledge}\
+             [[alarm]]\nname = \"lit\"\nwhen = \"one.Q3\"\ntext = \"the lamp is on\"\n\
+             [[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"20ms\"\n",
+            broker.port,
+            fake.path()
+        )
+    };
+    let file = site("acknowledged", &lines(""));
+    forget(&file);
+    let listener = Listener::new(&broker, "unoclp/$alarm/+");
+    let acknowledge = || broker.publish("unoclp/$alarm/lit/acknowledge", b"true", &[]);
+    fake.board().outputs = 4;
+    let server = Server::of(&mut unoclp_site(&file));
+    listener.until("lit", r#""state":"active""#);
+    acknowledge();
+    let refused = listener.next_at("$refused").text();
+    assert_eq!(refused, r#"{"alarm":"lit","why":"not allowed"}"#);
+    drop(server);
+    site("acknowledged", &lines("acknowledge = true\n"));
+    let server = Server::of(&mut unoclp_site(&file));
+    listener.until("lit", r#""state":"active""#);
+    acknowledge();
+    listener.until("lit", r#""state":"acknowledged""#);
+    acknowledge();
+    let refused = listener.next_at("$refused").text();
+    assert_eq!(refused, r#"{"alarm":"lit","why":"nothing to acknowledge"}"#);
+    let deeds = http(&server.address, "/api/deeds.csv");
+    assert!(deeds.contains(",$mqtt,,lit,acknowledge,"), "{deeds}");
+}
+
+#[test]
+fn a_port_that_is_gone_or_another_device_is_told_and_the_others_go_on() {
+    let meter = Board {
+        identity: ["ACME", "Meter", "3"],
+        ..Board::default()
+    };
+    let [good, meter] = [Board::default(), meter].map(Fake::new);
+    let paths = [
+        good.path(),
+        "/dev/ttyNone9",
+        env!("CARGO_MANIFEST_DIR"),
+        meter.path(),
+    ];
+    let names = ["good", "none", "folder", "meter"];
+    let mut lines = String::new();
+    for (at, (name, path)) in names.iter().zip(paths).enumerate() {
+        let unit = at + 1;
+        lines += &format!(
+            "[[line]]\nport = {path:?}\n[[line.board]]\nname = \"{name}\"\nunit = {unit}\n"
+        );
+    }
+    let mut server = Server::of(&mut unoclp_site(&site("ports", &lines)));
+    let mut wanted = vec![
+        ("good: found", ""),
+        ("none: ", "/dev/ttyNone9"),
+        ("folder: ", "is not a serial port"),
+        ("meter: ", "does not run unoclp"),
+    ];
+    while !wanted.is_empty() {
+        let line = server.line();
+        wanted.retain(|(name, why)| !(line.starts_with(name) && line.contains(why)));
+    }
 }

@@ -44,7 +44,8 @@ pub fn move_all(from: &Sqlite, to: &mut Postgres) -> Result<Moved, NotMoved> {
         rows: 0,
     };
     let of = |point: i64| ids.get(&point).copied().unwrap_or_default();
-    let rows = "SELECT point, at, value FROM sample ORDER BY seq";
+    let rows = "SELECT point, at, value FROM (SELECT point, at, seq, value FROM sample
+        UNION ALL SELECT point, at, seq, value FROM recent) ORDER BY seq";
     moved.rows += batches(from, rows, |batch| {
         let points: Vec<i32> = column(batch, |row| row.0).into_iter().map(of).collect();
         let moments = column(batch, |row| row.1);

@@ -1,11 +1,11 @@
-//! A value that somebody has sent for a point: what it is, and why it is refused.
+//! What somebody asks for by a message, a value for a point or that an alarm is acknowledged, and why it is refused.
 
 use serde_json::Value;
 use unoclp_site::{Grant, Mqtt, Site};
 
 /// The longest command, bytes.
 const LONGEST: usize = 256;
-/// Commands that wait for their boards at a time; more are refused.
+/// Wishes that wait to be done at a time; more are refused.
 pub(crate) const WAITING: usize = 16;
 
 /// A value for a point that may be written.
@@ -19,7 +19,16 @@ pub struct Command {
     pub value: f64,
 }
 
-/// Why a command is refused.
+/// What somebody asks for by a message.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Wish {
+    /// That a point has this value.
+    Set(Command),
+    /// That this alarm is acknowledged.
+    Acknowledge(String),
+}
+
+/// Why a wish is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
     /// It is no value.
@@ -40,6 +49,12 @@ pub enum Refusal {
     Away,
     /// The board refuses it.
     Board,
+    /// The site has no such alarm.
+    NoAlarm,
+    /// The alarm needs no acknowledging.
+    Nothing,
+    /// The gateway ends.
+    Ending,
 }
 
 impl Refusal {
@@ -55,41 +70,63 @@ impl Refusal {
             Refusal::OtherProgram => "other program",
             Refusal::Away => "away",
             Refusal::Board => "board",
+            Refusal::NoAlarm => "no alarm",
+            Refusal::Nothing => "nothing to acknowledge",
+            Refusal::Ending => "ending",
         }
     }
 }
 
-/// What may be written, by board and point.
+/// What the site lets others do over MQTT.
 #[derive(Clone, Debug)]
-pub(crate) struct Rights(Vec<(String, Grant)>);
+pub(crate) struct Rights {
+    /// What may be written, by board and point.
+    write: Vec<(String, Grant)>,
+    /// The alarms, and whether they may be acknowledged.
+    alarms: Vec<String>,
+    pub acknowledge: bool,
+}
 
 impl Rights {
-    /// What this site lets be written over MQTT.
+    /// Those of this site.
     pub fn new(site: &Site, mqtt: &Mqtt) -> Rights {
         let of = |grant: &Grant| {
             let board = site.boards().find(|board| board.unit == grant.unit)?;
             Some((board.name.clone(), grant.clone()))
         };
-        Rights(mqtt.write.iter().filter_map(of).collect())
+        Rights {
+            write: mqtt.write.iter().filter_map(of).collect(),
+            alarms: site.alarms.iter().map(|alarm| alarm.name.clone()).collect(),
+            acknowledge: mqtt.acknowledge,
+        }
     }
 
     /// The right to write this point, if there is one.
     pub fn of(&self, board: &str, point: &str) -> Option<&Grant> {
         let is = |(of, grant): &&(String, Grant)| of == board && grant.point == point;
-        self.0.iter().find(is).map(|(_, grant)| grant)
+        self.write.iter().find(is).map(|(_, grant)| grant)
     }
 
-    /// The command that sets a point to a value.
-    pub fn command(&self, board: &str, point: &str, value: f64) -> Result<Command, Refusal> {
+    /// That this alarm is acknowledged.
+    pub fn acknowledged(&self, alarm: &str) -> Result<Wish, Refusal> {
+        match (self.acknowledge, self.alarms.iter().any(|of| of == alarm)) {
+            (false, _) => Err(Refusal::NotAllowed),
+            (true, false) => Err(Refusal::NoAlarm),
+            (true, true) => Ok(Wish::Acknowledge(alarm.to_owned())),
+        }
+    }
+
+    /// That a point has a value.
+    pub fn set(&self, board: &str, point: &str, value: f64) -> Result<Wish, Refusal> {
         let grant = self.of(board, point).ok_or(Refusal::NotAllowed)?;
         let holds = |place| grant.kind.words(place, value).is_some();
         match grant.places.first().copied().is_some_and(holds) {
             false => Err(Refusal::OutOfRange),
-            true => Ok(Command {
+            true => Ok(Wish::Set(Command {
                 board: board.to_owned(),
                 grant: grant.clone(),
                 value,
-            }),
+            })),
         }
     }
 }

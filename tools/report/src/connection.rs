@@ -4,7 +4,7 @@
 
 use crate::alarm::Alarm;
 use crate::change::Change;
-use crate::command::{Command, Refusal};
+use crate::command::{Refusal, Wish};
 use crate::session::{Message, Now, Out, Session};
 use crate::shared::{Carry, Shared, Trouble};
 use rumqttc::{
@@ -44,8 +44,8 @@ pub(crate) enum Input {
     Stop,
 }
 
-/// What has become of a command.
-pub(crate) type Outcome = (Command, Result<(), Refusal>);
+/// What has become of a wish.
+pub(crate) type Outcome = (Wish, Result<(), Refusal>);
 
 /// One session, and the way of all its connections.
 pub(crate) struct Link {
@@ -118,9 +118,9 @@ impl Link {
             tokio::select! {
                 () = &mut over => return false,
                 input = self.inputs.recv() => if self.takes(input) { return true },
-                Some((command, outcome)) = self.outcomes.recv() => {
+                Some((wish, outcome)) = self.outcomes.recv() => {
                     let now = self.now();
-                    self.session.done(&command, outcome, now);
+                    self.session.done(&wish, outcome, now);
                 }
             }
         }
@@ -131,7 +131,7 @@ impl Link {
         let now = self.now();
         match input {
             Some(Input::Changed(changes)) => self.session.changed(&changes, now),
-            Some(Input::Alarm(alarm)) => self.session.alarm(&alarm),
+            Some(Input::Alarm(alarm)) => self.session.alarm(&alarm, now),
             Some(Input::Presence(board, up)) => self.session.presence(&board, up, now),
             Some(Input::Stop) | None => return true,
         }
@@ -202,9 +202,9 @@ impl Link {
                     }
                     return End::Stop;
                 },
-                Some((command, outcome)) = self.outcomes.recv() => {
+                Some((wish, outcome)) = self.outcomes.recv() => {
                     let now = self.now();
-                    self.session.done(&command, outcome, now);
+                    self.session.done(&wish, outcome, now);
                 }
                 has_it = oldest(unsure) => match has_it {
                     true => self.is_told(unsure.pop_front()),
@@ -259,14 +259,14 @@ impl Link {
                         return Some(End::Lost(Trouble::Closed));
                     }
                 }
-                Out::Carry(command) => {
+                Out::Carry(wish) => {
                     let outcome = self.outcome.clone();
-                    let of = command.clone();
+                    let of = wish.clone();
                     let done = Box::new(move |result| {
                         // At the end nobody listens.
                         let _ = outcome.send((of, result));
                     });
-                    (self.carry)(command, done);
+                    (self.carry)(wish, done);
                 }
                 Out::Leave => return Some(End::Leave),
             }

@@ -6,7 +6,7 @@
 //! - `session`: what one connection after the other says and hears, without I/O
 //! - `plain`: a topic a point, commands, and what Home Assistant finds
 //! - `sparkplug`: the same as an edge node of Sparkplug B
-//! - `command`: a value that somebody has sent, and why it is refused
+//! - `command`: what somebody asks for by a message, and why it is refused
 //! - [`Alarm`]: how an alarm stands
 //! - `backlog`: what a board was while nobody could hear of it
 //! - `connection`: the connection itself, which comes back by itself; `tls`: whom it trusts
@@ -31,6 +31,6 @@ mod sparkplug;
 mod tls;
 
 pub use alarm::Alarm;
-pub use command::{Command, Refusal};
+pub use command::{Command, Refusal, Wish};
 pub use reporter::Reporter;
 pub use shared::{Carry, State, Tell, Trouble, Unready};

@@ -2,7 +2,7 @@
 
 use crate::alarm::Alarm;
 use crate::change::Change;
-use crate::command::{Command, Refusal};
+use crate::command::{Refusal, Wish};
 use std::time::Duration;
 use unoclp_journal::Entry;
 
@@ -26,8 +26,8 @@ pub(crate) enum Out {
     Publish(Message),
     /// Messages with these topics are asked for.
     Subscribe(String),
-    /// A board is told this value; what becomes of it is told by [`Session::done`].
-    Carry(Command),
+    /// This shall be done; what becomes of it is told by [`Session::done`].
+    Carry(Wish),
     /// This connection ends, and another begins.
     Leave,
 }
@@ -60,11 +60,11 @@ pub(crate) trait Session: Send + Sync {
     /// A board is there, or away.
     fn presence(&mut self, board: &str, up: bool, now: Now);
     /// An alarm stands so from now on.
-    fn alarm(&mut self, alarm: &Alarm);
+    fn alarm(&mut self, alarm: &Alarm, now: Now);
     /// A message has come.
     fn heard(&mut self, topic: &str, payload: &[u8], retained: bool, now: Now);
-    /// What has become of a command.
-    fn done(&mut self, command: &Command, outcome: Result<(), Refusal>, now: Now);
+    /// What has become of a wish.
+    fn done(&mut self, wish: &Wish, outcome: Result<(), Refusal>, now: Now);
     /// Time has passed.
     fn tick(&mut self, now: Now);
     /// What is to be done next, while there is a connection.

@@ -1,11 +1,11 @@
 //! How it stands with a broker, and who hears of it.
 
-use crate::command::{Command, Refusal};
+use crate::command::{Refusal, Wish};
 use std::io;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Brings a command to its board, and hears what has become of it.
-pub type Carry = Arc<dyn Fn(Command, Box<dyn FnOnce(Result<(), Refusal>) + Send>) + Send + Sync>;
+/// Has a wish done, and hears what has become of it.
+pub type Carry = Arc<dyn Fn(Wish, Box<dyn FnOnce(Result<(), Refusal>) + Send>) + Send + Sync>;
 
 /// Hears when a broker is there, and why it is not. `None`: it is there.
 pub type Tell = Arc<dyn Fn(Option<&Trouble>) + Send + Sync>;

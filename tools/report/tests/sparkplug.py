@@ -10,6 +10,7 @@ import pysparkplug
 
 KINDS = {
     "NBIRTH": pysparkplug.NBirth,
+    "NDATA": pysparkplug.NData,
     "DBIRTH": pysparkplug.DBirth,
     "DDATA": pysparkplug.DData,
     "DDEATH": pysparkplug.DDeath,
@@ -29,7 +30,7 @@ for line in sys.stdin:
     verb, device, digits = (line.rstrip("\n").split(" ") + ["", ""])[:3]
     kind = KINDS[verb]
     message = kind.decode(bytes.fromhex(digits), birth=births.get(device))
-    if verb == "DBIRTH":
+    if verb in ("NBIRTH", "DBIRTH"):
         births[device] = message
     told = {"verb": verb, "device": device, "seq": getattr(message, "seq", None)}
     if verb == "NDEATH":

@@ -7,6 +7,7 @@ use crate::written::{command, overlaps, written};
 use std::collections::BTreeMap;
 use std::net::IpAddr;
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 use unoclp_modbus::Table;
 use unoclp_modbus::client::Request;
 use unoclp_modbus::map::{Command, holding};
@@ -14,6 +15,9 @@ use unoclp_record::{Deed, Record, now};
 
 /// As many values of a request are recorded.
 const VALUES: usize = 8;
+/// Of each place so many values a minute are recorded; more are counted, and told with the next one.
+const EACH_MINUTE: u32 = 20;
+const MINUTE: Duration = Duration::from_secs(60);
 /// Of so many places that machines write it is known what they wrote last.
 const PLACES: usize = 10_000;
 /// What forcing takes: from the first of these registers to the last.
@@ -34,12 +38,26 @@ pub(crate) enum By {
     Broker,
 }
 
+/// As whom a broker is recorded.
+pub(crate) const BROKER: &str = "$mqtt";
+
 /// Where deeds are recorded, if they are.
 #[derive(Debug, Default)]
 pub(crate) struct Deeds {
     record: Option<Arc<Record>>,
     /// What machines wrote last, by board and place: they write the same again and again.
-    last: Mutex<BTreeMap<(By, String, String), String>>,
+    last: Mutex<BTreeMap<(By, String, String), Last>>,
+}
+
+/// What was written last at a place.
+#[derive(Debug)]
+struct Last {
+    values: String,
+    /// Since when so many values were recorded.
+    since: Instant,
+    recorded: u32,
+    /// Values since the last one that was recorded.
+    more: u64,
 }
 
 impl Deeds {
@@ -61,17 +79,19 @@ impl Deeds {
     /// A board has taken what a client of Modbus TCP wrote.
     pub fn client(&self, from: IpAddr, board: &str, request: &Request) {
         if let Some((what, place, values)) = deed(request)
-            && self.is_new(By::Modbus, board, &place, &values)
+            && let Some(more) = self.is_new(By::Modbus, board, &place, &values)
         {
-            self.put("$modbus", Some(from), board, what, detail(&place, &values));
+            let detail = detail_after(&place, &values, more);
+            self.put("$modbus", Some(from), board, what, detail);
         }
     }
 
     /// A board has taken the value of a point that a broker brought.
     pub fn broker(&self, board: &str, point: &str, value: f64) {
         let values = value.to_string();
-        if self.is_new(By::Broker, board, point, &values) {
-            self.put("$mqtt", None, board, "write", detail(point, &values));
+        if let Some(more) = self.is_new(By::Broker, board, point, &values) {
+            let detail = detail_after(point, &values, more);
+            self.put(BROKER, None, board, "write", detail);
         }
     }
 
@@ -81,9 +101,19 @@ impl Deeds {
         self.put(&who.name, Some(from), board, "write", detail);
     }
 
+    /// A button that somebody has pressed was let go by the gateway.
+    pub fn let_go(&self, who: &str, board: &str, point: &str) {
+        self.put(who, None, board, "release", detail(point, "0"));
+    }
+
     /// Somebody has acknowledged an alarm.
     pub fn acknowledged(&self, who: &Who, from: IpAddr, alarm: &str) {
         self.put(&who.name, Some(from), alarm, "acknowledge", String::new());
+    }
+
+    /// A broker has brought that an alarm is acknowledged.
+    pub fn broker_acknowledged(&self, alarm: &str) {
+        self.put(BROKER, None, alarm, "acknowledge", String::new());
     }
 
     /// Waits until what was done is in the file, or the file takes nothing. What boards do never waits for this.
@@ -99,16 +129,35 @@ impl Deeds {
         self.record.clone()
     }
 
-    fn is_new(&self, by: By, board: &str, place: &str, values: &str) -> bool {
-        if self.record.is_none() {
-            return false;
-        }
+    /// Whether what a machine writes is recorded: it is another value than before, and not one of too many. Gives how many were not
+    /// recorded before it.
+    fn is_new(&self, by: By, board: &str, place: &str, values: &str) -> Option<u64> {
+        self.record.as_ref()?;
+        let now = Instant::now();
         let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
         if last.len() >= PLACES {
             last.clear();
         }
         let key = (by, board.to_owned(), place.to_owned());
-        last.insert(key, values.to_owned()).as_deref() != Some(values)
+        let of = last.entry(key).or_insert(Last {
+            values: String::new(),
+            since: now,
+            recorded: 0,
+            more: 0,
+        });
+        if of.values == values {
+            return None;
+        }
+        of.values = values.to_owned();
+        if now - of.since >= MINUTE {
+            (of.since, of.recorded) = (now, 0);
+        }
+        if of.recorded >= EACH_MINUTE {
+            of.more += 1;
+            return None;
+        }
+        of.recorded += 1;
+        Some(std::mem::take(&mut of.more))
     }
 
     fn put(&self, who: &str, from: Option<IpAddr>, of: &str, what: &str, detail: String) {
@@ -129,6 +178,15 @@ fn detail(place: &str, values: &str) -> String {
     match place {
         "" => String::new(),
         place => format!("{place} = {values}"),
+    }
+}
+
+/// The same, where so many values before it were not recorded.
+fn detail_after(place: &str, values: &str, more: u64) -> String {
+    let told = detail(place, values);
+    match more {
+        0 => told,
+        more => format!("{told}, after {more} more"),
     }
 }
 
@@ -274,5 +332,34 @@ mod tests {
                 "$modbus two register 0 = 5",
             ]
         );
+    }
+
+    #[test]
+    fn a_machine_that_writes_without_end_fills_no_disk() {
+        let folder = tempfile::tempdir().unwrap();
+        let record = Record::begin(&folder.path().join("r"), Box::new(|_| ())).unwrap();
+        let deeds = Deeds::new(Some(Arc::new(record)));
+        (0..1_000).for_each(|value| deeds.broker("one", "target", value.into()));
+        let key = (By::Broker, "one".to_owned(), "target".to_owned());
+        // A minute later.
+        let earlier = |of: &mut Last| of.since = of.since.checked_sub(MINUTE).unwrap();
+        deeds
+            .last
+            .lock()
+            .unwrap()
+            .get_mut(&key)
+            .map(earlier)
+            .unwrap();
+        deeds.broker("one", "target", 5.0);
+        let record = deeds.past().unwrap();
+        record.end();
+        let asked = unoclp_record::Asked {
+            from: 0,
+            to: i64::MAX,
+            most: 5_000,
+        };
+        let told = record.deeds(&asked).unwrap();
+        assert_eq!(told.len(), EACH_MINUTE as usize + 1);
+        assert_eq!(told.last().unwrap().detail, "target = 5, after 980 more");
     }
 }

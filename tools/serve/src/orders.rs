@@ -1,14 +1,17 @@
-//! Values that others than visitors write, by a name that the site lists: what a broker brings.
+//! What others than visitors want, as a broker brings it: values that they write, by a name that the site lists, and alarms
+//! that they acknowledge.
 //!
 //! Owns when such a value goes to its board: while the board keeps the program that gives the name, and while nobody
-//! controls it, as with a frame of Modbus TCP. Must not know who has sent it.
+//! controls it, as with a frame of Modbus TCP. Must not know who has sent it, nor whether the site lets them.
 
+use crate::deeds::BROKER;
 use crate::gateway::{Gateway, kept_by};
 use crate::tokens::Role;
 use std::fmt;
 use std::sync::Arc;
 use std::time::Instant;
 use tokio::sync::mpsc::{Receiver, Sender, channel};
+use unoclp_alarm::{Alarms, NotDone, State};
 use unoclp_client::diagnostics::Kept;
 use unoclp_modbus::client::{NoReply, Request};
 use unoclp_modbus::{Exception, Table};
@@ -30,13 +33,27 @@ pub struct Order {
 /// Hears what has become of an order.
 pub type Done = Box<dyn FnOnce(Result<(), Exception>) + Send>;
 
-/// The way for orders.
+/// That an alarm is acknowledged.
+pub struct Acknowledgement {
+    /// What it is called.
+    pub alarm: String,
+    /// Hears what has become of it.
+    pub done: Box<dyn FnOnce(Result<(), NotDone>) + Send>,
+}
+
+/// What waits.
+pub(crate) enum Wanted {
+    Order(Order),
+    Acknowledgement(Acknowledgement),
+}
+
+/// The way for orders, and for what acknowledges alarms.
 #[derive(Clone, Debug)]
-pub struct Orders(Sender<Order>);
+pub struct Orders(Sender<Wanted>);
 
 /// Where they come out.
 #[derive(Debug)]
-pub struct Ordered(pub(crate) Receiver<Order>);
+pub struct Ordered(pub(crate) Receiver<Wanted>);
 
 impl fmt::Debug for Order {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -44,6 +61,14 @@ impl fmt::Debug for Order {
         f.debug_struct("Order")
             .field("grant", grant)
             .field("value", &value)
+            .finish_non_exhaustive()
+    }
+}
+
+impl fmt::Debug for Acknowledgement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Acknowledgement")
+            .field("alarm", &self.alarm)
             .finish_non_exhaustive()
     }
 }
@@ -58,18 +83,42 @@ impl Orders {
     /// Sends an order on its way. It is refused at once where too many wait.
     pub fn send(&self, order: Order) {
         use tokio::sync::mpsc::error::TrySendError::{Closed, Full};
-        match self.0.try_send(order) {
-            Ok(()) => {}
-            Err(Full(order)) => (order.done)(Err(Exception::ServerDeviceBusy)),
-            Err(Closed(order)) => (order.done)(Err(Exception::GatewayTargetSilent)),
+        match self.0.try_send(Wanted::Order(order)) {
+            Err(Full(Wanted::Order(order))) => (order.done)(Err(Exception::ServerDeviceBusy)),
+            Err(Closed(Wanted::Order(order))) => (order.done)(Err(Exception::GatewayTargetSilent)),
+            _ => {}
+        }
+    }
+
+    /// Sends an acknowledgement on its way. Where too many wait, it is refused at once.
+    pub fn acknowledge(&self, acknowledgement: Acknowledgement) {
+        use tokio::sync::mpsc::error::TrySendError::{Closed, Full};
+        let sent = self.0.try_send(Wanted::Acknowledgement(acknowledgement));
+        if let Err(Full(Wanted::Acknowledgement(of)) | Closed(Wanted::Acknowledgement(of))) = sent {
+            (of.done)(Err(NotDone::Ended));
         }
     }
 }
 
-/// Carries out orders, one after the other, for as long as any may come.
-pub(crate) async fn attend(ordered: Ordered, units: Vec<(u8, Arc<Gateway>)>) {
-    let Ordered(mut orders) = ordered;
-    while let Some(Order { grant, value, done }) = orders.recv().await {
+/// Does what is wanted, one after the other, for as long as any may come.
+pub(crate) async fn attend(
+    ordered: Ordered,
+    units: Vec<(u8, Arc<Gateway>)>,
+    alarms: Option<Arc<Alarms>>,
+) {
+    let Ordered(mut wanted) = ordered;
+    while let Some(wanted) = wanted.recv().await {
+        let Order { grant, value, done } = match wanted {
+            Wanted::Order(order) => order,
+            Wanted::Acknowledgement(Acknowledgement { alarm, done }) => {
+                let outcome = acknowledge(alarms.clone(), &alarm, BROKER).await;
+                if let (Ok(_), Some((_, gateway))) = (&outcome, units.first()) {
+                    gateway.deeds.broker_acknowledged(&alarm);
+                }
+                done(outcome.map(drop));
+                continue;
+            }
+        };
         let board = units.iter().find(|(unit, _)| *unit == grant.unit);
         done(match board {
             Some((_, gateway)) => {
@@ -83,6 +132,22 @@ pub(crate) async fn attend(ordered: Ordered, units: Vec<(u8, Arc<Gateway>)>) {
             None => Err(Exception::GatewayPathUnavailable),
         });
     }
+}
+
+/// Acknowledges an alarm. Gives how it stands then.
+///
+/// # Errors
+/// [`NotDone`].
+pub(crate) async fn acknowledge(
+    alarms: Option<Arc<Alarms>>,
+    alarm: &str,
+    who: &str,
+) -> Result<State, NotDone> {
+    let alarms = alarms.ok_or(NotDone::NoAlarm)?;
+    let (alarm, who) = (alarm.to_owned(), who.to_owned());
+    // The thread that judges may be at another one.
+    let done = tokio::task::spawn_blocking(move || alarms.acknowledge(&alarm, &who));
+    done.await.unwrap_or(Err(NotDone::Ended))
 }
 
 /// Writes a value, if a machine may now.

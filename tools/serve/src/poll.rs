@@ -4,7 +4,6 @@
 
 use crate::gateway::{Gateway, Values, kept_by};
 use crate::tokens::Role;
-use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::time::{Instant, MissedTickBehavior, interval};
@@ -47,15 +46,15 @@ pub type Keep = Arc<dyn Fn(Vec<Change>) + Send + Sync>;
 
 /// Reads the board, for ever.
 pub(crate) async fn attend(gateway: Arc<Gateway>, watched: Watched, keep: Option<Keep>) {
-    let mut known = Known::default();
+    let readings = [false, true].map(|holds| Reading::of(watched.points.recorded(holds)));
     let mut holds = watched.points.program.is_some();
     let mut every = interval(watched.every);
     let mut told = None::<Instant>;
     every.set_missed_tick_behavior(MissedTickBehavior::Delay);
     loop {
         every.tick().await;
-        let points = watched.points.recorded(holds);
-        let read = read(&gateway, &points).await;
+        let reading = &readings[usize::from(holds)];
+        let read = reading.read(&gateway).await;
         // The names of a program hold while the board keeps it: it is asked once all has been read.
         let keeps = match watched.points.program {
             Some(program) => kept_by(&gateway).await.ok().map(|kept| kept == program),
@@ -71,85 +70,104 @@ pub(crate) async fn attend(gateway: Arc<Gateway>, watched: Watched, keep: Option
         };
         let read = read.filter(|_| keeps == Some(holds));
         holds = keeps.unwrap_or(holds);
-        let changes = known.changes(read.unwrap_or_default());
-        if !changes.is_empty() {
-            gateway.values().clone_from(&known.0);
-            if let Some(keep) = &keep {
-                let at = now();
-                let change = |(point, value)| Change {
-                    board: gateway.name.clone(),
-                    point,
-                    at,
-                    value,
-                };
-                keep(changes.into_iter().map(change).collect());
-            }
+        let changes = changes(&mut gateway.values(), &reading.points, read.as_deref());
+        if let Some(keep) = keep.as_ref().filter(|_| !changes.is_empty()) {
+            let at = now();
+            let change = |(point, value)| Change {
+                board: gateway.name.clone(),
+                point,
+                at,
+                value,
+            };
+            keep(changes.into_iter().map(change).collect());
         }
     }
 }
 
-/// What the points were when they were last read.
-#[derive(Default)]
-struct Known(Values);
-
-impl Known {
-    /// What is otherwise now. A point that was not read is not known any more.
-    fn changes(&mut self, read: Vec<(String, f64)>) -> Vec<(String, Option<f64>)> {
+/// Takes what these points are now; none where they were not read. Gives what is otherwise than it was: a point that was not
+/// read is not known any more.
+fn changes(
+    known: &mut Values,
+    points: &[Point],
+    read: Option<&[f64]>,
+) -> Vec<(String, Option<f64>)> {
+    let is_of_these = |name: &str| points.iter().any(|point| point.name == name);
+    let are_others = read.is_none() || known.len() != points.len();
+    let mut changed = Vec::new();
+    for (name, value) in known.iter_mut().filter(|_| are_others) {
+        if value.is_some() && (read.is_none() || !is_of_these(name)) {
+            *value = None;
+            changed.push((name.clone(), None));
+        }
+    }
+    for (point, value) in points.iter().zip(read.unwrap_or_default()) {
         // What is no number is not known.
-        let mut now: Values = read
-            .into_iter()
-            .map(|(point, value)| (point, Some(value).filter(|value| value.is_finite())))
-            .collect();
-        for point in self.0.keys() {
-            now.entry(point.clone()).or_insert(None);
+        let value = Some(*value).filter(|value| value.is_finite());
+        match known.get_mut(&point.name) {
+            Some(before) if *before == value => continue,
+            Some(before) => *before = value,
+            None => drop(known.insert(point.name.clone(), value)),
         }
-        let changed = now
-            .iter()
-            .filter(|(point, value)| self.0.get(*point) != Some(value));
-        let changes = changed
-            .map(|(point, value)| (point.clone(), *value))
-            .collect();
-        self.0 = now;
-        changes
+        changed.push((point.name.clone(), value));
+    }
+    changed.sort_by(|(one, _), (other, _)| one.cmp(other));
+    changed
+}
+
+/// Points, and the requests that read them.
+struct Reading {
+    points: Vec<Point>,
+    areas: Vec<Area>,
+}
+
+impl Reading {
+    fn of(points: Vec<Point>) -> Reading {
+        let areas = areas(&points);
+        Reading { points, areas }
+    }
+
+    /// What the points are, in their order; none where the board does not tell all of them.
+    async fn read(&self, gateway: &Gateway) -> Option<Vec<f64>> {
+        let mut words = Vec::new();
+        for area in &self.areas {
+            let Area {
+                table,
+                first,
+                count,
+            } = *area;
+            let request = Request::read(gateway.line.address(), table, first, count);
+            let reply = gateway.line.ask(request.clone(), Role::Watch).await;
+            let Some(Ok(reply)) = request.answer(&reply) else {
+                return None;
+            };
+            let read: Vec<u16> = match table {
+                Table::Coils | Table::DiscreteInputs => reply.bits().map(u16::from).collect(),
+                _ => reply.words().collect(),
+            };
+            words.push((*area, read));
+        }
+        let points = self.points.iter();
+        points.map(|point| value(point, &words)).collect()
     }
 }
 
-/// What these points are; none where the board does not tell all of them.
-async fn read(gateway: &Gateway, points: &[Point]) -> Option<Vec<(String, f64)>> {
-    let mut words = BTreeMap::new();
-    for Area {
-        table,
-        first,
-        count,
-    } in areas(points)
-    {
-        let request = Request::read(gateway.line.address(), table, first, count);
-        let reply = gateway.line.ask(request.clone(), Role::Watch).await;
-        let Some(Ok(reply)) = request.answer(&reply) else {
-            return None;
-        };
-        let read: Vec<u16> = match table {
-            Table::Coils | Table::DiscreteInputs => reply.bits().map(u16::from).collect(),
-            _ => reply.words().collect(),
-        };
-        let addresses = (first..first + count).map(|address| (table as u8, address));
-        words.extend(addresses.zip(read));
-    }
-    let value = |point: &Point| {
-        let Place { table, first, .. } = point.read;
-        let word = |address: u16| words.get(&(table as u8, address)).copied();
-        let bits = match point.read.width {
-            Width::Bit | Width::Word => u32::from(word(first)?),
-            Width::Long => map::long(word(first)?, word(first + 1)?),
-        };
-        let value = match point.kind {
-            Kind::Unsigned => bits.into(),
-            Kind::Signed => bits.cast_signed().into(),
-            Kind::Real => f32::from_bits(bits).into(),
-        };
-        Some((point.name.clone(), value))
+/// The value of a point by what was read.
+fn value(point: &Point, words: &[(Area, Vec<u16>)]) -> Option<f64> {
+    let Place { table, first, .. } = point.read;
+    let word = |address: u16| {
+        let mut all = words.iter().filter(|(area, _)| area.table == table);
+        all.find_map(|(area, words)| words.get(usize::from(address.checked_sub(area.first)?)))
     };
-    points.iter().map(value).collect()
+    let word = |address: u16| word(address).copied();
+    let bits = match point.read.width {
+        Width::Bit | Width::Word => u32::from(word(first)?),
+        Width::Long => map::long(word(first)?, word(first + 1)?),
+    };
+    Some(match point.kind {
+        Kind::Unsigned => bits.into(),
+        Kind::Signed => bits.cast_signed().into(),
+        Kind::Real => f32::from_bits(bits).into(),
+    })
 }
 
 /// Addresses that one request reads.
@@ -233,17 +251,29 @@ mod tests {
 
     #[test]
     fn what_changes_is_told_once() {
-        let mut known = Known::default();
-        let value = |value: f64| ("a".to_owned(), value);
+        let named = |name: &str| Point {
+            name: name.into(),
+            ..point(Table::Coils, 0, Width::Bit)
+        };
+        let (one, two) = ([named("a")], [named("b"), named("a")]);
         let told = |value| vec![("a".to_owned(), value)];
-        assert_eq!(known.changes(vec![value(1.0)]), told(Some(1.0)));
-        assert_eq!(known.changes(vec![value(1.0)]), []);
-        assert_eq!(known.changes(Vec::new()), told(None));
-        assert_eq!(known.changes(Vec::new()), []);
-        assert_eq!(known.changes(vec![value(1.0)]), told(Some(1.0)));
-        assert_eq!(known.changes(vec![value(f64::NAN)]), told(None));
-        assert_eq!(known.changes(vec![value(f64::NAN)]), []);
-        let two = vec![value(2.0), ("b".to_owned(), 3.0)];
-        assert_eq!(known.changes(two).len(), 2);
+        let mut known = Values::new();
+        let mut of_a = |value: Option<f64>| {
+            let read = value.map(|value| [value]);
+            changes(&mut known, &one, read.as_ref().map(|read| &read[..]))
+        };
+        assert_eq!(of_a(Some(1.0)), told(Some(1.0)));
+        assert_eq!(of_a(Some(1.0)), []);
+        assert_eq!(of_a(None), told(None));
+        assert_eq!(of_a(None), []);
+        assert_eq!(of_a(Some(1.0)), told(Some(1.0)));
+        assert_eq!(of_a(Some(f64::NAN)), told(None));
+        assert_eq!(of_a(Some(f64::NAN)), []);
+        let both = changes(&mut known, &two, Some(&[3.0, 2.0]));
+        let all = [("a".to_owned(), Some(2.0)), ("b".to_owned(), Some(3.0))];
+        assert_eq!(both, all);
+        // The names are others now.
+        let other = changes(&mut known, &[named("b")], Some(&[3.0]));
+        assert_eq!(other, told(None));
     }
 }

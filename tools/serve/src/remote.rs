@@ -4,7 +4,7 @@
 
 use crate::modbus::frame::{self, HEAD, Head};
 use crate::owner::{Board, NoAnswer};
-use std::io::{self, ErrorKind, Read, Write};
+use std::io::{self, BufReader, ErrorKind, Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};
 use std::time::Duration;
 use unoclp_client::identity::Identity;
@@ -21,7 +21,9 @@ const STORE: Duration = Duration::from_secs(8);
 #[derive(Debug)]
 pub struct Remote {
     server: String,
-    stream: Option<TcpStream>,
+    stream: Option<BufReader<TcpStream>>,
+    /// How long an answer is waited for at present.
+    patience: Duration,
     transaction: u16,
     told: fn(&str, Absent) -> String,
 }
@@ -43,6 +45,7 @@ impl Remote {
         Remote {
             server,
             stream: None,
+            patience: ANSWER,
             transaction: 0,
             told,
         }
@@ -70,7 +73,7 @@ impl Remote {
         }
     }
 
-    fn connect(&mut self) -> io::Result<&mut TcpStream> {
+    fn connect(&mut self) -> io::Result<&mut BufReader<TcpStream>> {
         if self.stream.is_none() {
             let mut outcome = Err(ErrorKind::NotFound.into());
             for address in self.server.to_socket_addrs()? {
@@ -82,7 +85,9 @@ impl Remote {
             let stream = outcome?;
             stream.set_nodelay(true)?;
             stream.set_write_timeout(Some(ANSWER))?;
-            self.stream = Some(stream);
+            stream.set_read_timeout(Some(ANSWER))?;
+            self.patience = ANSWER;
+            self.stream = Some(BufReader::with_capacity(512, stream));
         }
         self.stream.as_mut().ok_or(ErrorKind::NotConnected.into())
     }
@@ -108,10 +113,16 @@ impl Remote {
             true => ANSWER,
             false => STORE,
         };
+        self.connect()?;
+        let is_other = std::mem::replace(&mut self.patience, patience) != patience;
         let stream = self.connect()?;
-        stream.set_read_timeout(Some(patience))?;
+        if is_other {
+            stream.get_ref().set_read_timeout(Some(patience))?;
+        }
         let sent = Head::new(transaction, request.server());
-        stream.write_all(&sent.frame(&frame::from_board(request.bytes())))?;
+        stream
+            .get_mut()
+            .write_all(&sent.frame(&frame::from_board(request.bytes())))?;
         let mut head = [0; HEAD];
         stream.read_exact(&mut head)?;
         let head = Head::of(head).ok_or(ErrorKind::InvalidData)?;

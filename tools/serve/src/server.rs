@@ -3,6 +3,7 @@
 use crate::api::{self, Api, Archive, Caller, Sheets};
 use crate::doors::{self, Door};
 use crate::gateway::{self, Gateway, LONGEST, PROMPT};
+use crate::holding::Holding;
 use crate::modbus;
 use crate::news;
 use crate::orders;
@@ -123,6 +124,7 @@ impl Server {
             keep,
             tell,
         } = sharing.map(Sharing::wire).unwrap_or_default();
+        let holding = Arc::new(Holding::default());
         let gateways: Arc<[_]> = boards.iter().map(|board| board.gateway.clone()).collect();
         let sheets = boards
             .iter()
@@ -132,8 +134,9 @@ impl Server {
             door,
             metrics,
             archive: Archive::new(past),
-            alarms,
+            alarms: alarms.clone(),
             sheets: Sheets::new(panels, sheets),
+            holding: holding.clone(),
         };
         let shared = Shared {
             pages: Arc::new(pages),
@@ -165,8 +168,10 @@ impl Server {
             let units = boards.into_iter().map(|board| (board.unit, board.gateway));
             let units: Vec<_> = units.collect();
             if let Some(orders) = orders {
-                tokio::spawn(orders::attend(orders, units.clone()));
+                tokio::spawn(orders::attend(orders, units.clone(), alarms));
             }
+            let held = holding.clone();
+            tokio::spawn(async move { held.attend().await });
             let pages = take_connections(self.listener, self.tls, shared);
             let served = async {
                 match modbus {
@@ -179,7 +184,11 @@ impl Server {
             };
             tokio::select! {
                 served = served => served,
-                () = end => Ok(()),
+                () = end => {
+                    // A board that does not answer by then keeps what it has.
+                    let _ = timeout(PROMPT, holding.end()).await;
+                    Ok(())
+                }
             }
         })
     }

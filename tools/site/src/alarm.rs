@@ -33,6 +33,15 @@ pub struct When {
     pub reads: Vec<(usize, Reading)>,
 }
 
+impl When {
+    /// The boards whose points it reads, each once.
+    pub fn boards(&self) -> Vec<String> {
+        let boards = self.reads.iter().map(|(_, reading)| &*reading.board);
+        let boards: std::collections::BTreeSet<&str> = boards.collect();
+        boards.into_iter().map(str::to_owned).collect()
+    }
+}
+
 /// A point that a condition reads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reading {

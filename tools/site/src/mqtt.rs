@@ -25,6 +25,7 @@ pub(crate) fn mqtt(keys: &Keys<'_>, lines: &[Line]) -> Option<Mqtt> {
         "home_assistant",
         "sparkplug",
         "write",
+        "acknowledge",
     ];
     let mqtt = keys.table("mqtt", EXAMPLE)?;
     mqtt.known(&known);
@@ -34,6 +35,7 @@ pub(crate) fn mqtt(keys: &Keys<'_>, lines: &[Line]) -> Option<Mqtt> {
     let sparkplug = sparkplug(&mqtt, &topic);
     let every = time(&mqtt, "every", "\"1m\"", ["1s", "1d"]);
     let home_assistant = mqtt.flag("home_assistant").is_some_and(|flag| flag.value);
+    let acknowledge = mqtt.flag("acknowledge").is_some_and(|flag| flag.value);
     let user = mqtt.text("user", "\"gateway\"");
     let password = mqtt.text("password", "\"…\"");
     if let (None, Some(At { place, .. })) = (&user, &password) {
@@ -54,6 +56,7 @@ pub(crate) fn mqtt(keys: &Keys<'_>, lines: &[Line]) -> Option<Mqtt> {
         home_assistant,
         sparkplug,
         write,
+        acknowledge,
     })
 }
 

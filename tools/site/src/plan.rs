@@ -107,6 +107,9 @@ fn mqtt(of: &Mqtt, lang: Lang) -> Vec<String> {
         true => words::mqtt_reads(lang),
         false => words::mqtt_writes(lang, names(&of.write)),
     });
+    if of.acknowledge {
+        lines.push(words::mqtt_acknowledges(lang));
+    }
     if of.home_assistant {
         lines.push(words::home_assistant(lang));
     }

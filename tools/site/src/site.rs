@@ -183,6 +183,8 @@ pub struct Mqtt {
     pub sparkplug: Option<Sparkplug>,
     /// What may be written; nothing else is.
     pub write: Vec<Grant>,
+    /// Whether alarms may be acknowledged.
+    pub acknowledge: bool,
 }
 
 /// The Modbus TCP server of a site.

@@ -187,6 +187,9 @@ unoclp_words::messages! {
     mqtt_writes(points)
         "  anyone who may publish there may write {points}"
         "  quem puder publicar ali pode escrever em {points}";
+    mqtt_acknowledges()
+        "  anyone who may publish there may acknowledge alarms"
+        "  quem puder publicar ali pode reconhecer alarmes";
     home_assistant()
         "  Home Assistant finds each board"
         "  o Home Assistant encontra cada placa";

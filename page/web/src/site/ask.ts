@@ -18,6 +18,8 @@ export interface Alarm {
   readonly state: "normal" | "active" | "acknowledged" | "gone";
   readonly severity: "low" | "medium" | "high";
   readonly text: Both;
+  /** The boards whose points its condition reads. */
+  readonly boards: readonly string[];
   /** ms since 1970; null: always so. */
   readonly since: number | null;
   readonly who?: string;

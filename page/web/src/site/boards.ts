@@ -45,7 +45,7 @@ export class Boards {
 
   private card(board: Board): HTMLElement {
     const points = Object.entries(board.points);
-    const alarms = this.state.alarms.value.filter((alarm) => alarm.state !== "normal" && alarm.name.startsWith(board.name));
+    const alarms = this.state.alarms.value.filter((alarm) => alarm.state !== "normal" && alarm.boards.includes(board.name));
     const rows = points.slice(0, POINTS).map(([name, of]) => h("div", {}, h("dt", {}, name), h("dd", {}, value(board.up ? of : null))));
     return h("li", { class: "card board-card", "data-board": board.name },
       h("h3", {}, h("span", {}, board.name), h("small", {}, points.length > 0 ? say("boardPoints", { count: points.length }) : say("boardNoPoints"))),

@@ -14,6 +14,7 @@ const WHAT: Readonly<Record<string, SiteKey>> = {
   restart: "deedRestart",
   force: "deedForce",
   write: "deedWrite",
+  release: "deedRelease",
   settings: "deedSettings",
   upload: "deedUpload",
   acknowledge: "deedAcknowledge",

@@ -15,6 +15,8 @@ import { past } from "./trends";
 const HOUR = 3_600_000;
 /** From one picture of a trend to the next, ms. */
 const EVERY = 5000;
+/** How often the gateway hears that a button is pressed still, ms: it lets go after three times as long. */
+const BEAT = 1000;
 
 type Value = number | null | undefined;
 
@@ -169,20 +171,34 @@ export class Panels {
     return place;
   }
 
-  /** Writes 1 while it is pressed; it is let go however the pointer, the key, the panel or the page leaves it. */
+  /** Writes 1 while it is pressed; it is let go however the pointer, the key, the panel or the page leaves it. Of a page that
+   *  is gone the gateway hears no more, and lets go itself. */
   private button(item: Item): HTMLElement {
     let press: Promise<boolean> | null = null;
+    let beat = 0;
     const begin = (): void => {
       if (press || button.disabled) return;
-      press = this.write(item, 1);
+      press = this.write(item, 1, "begin");
       button.classList.add("pressed");
+      // One after the other, so that none comes after the button is let go.
+      let waits = false;
+      beat = window.setInterval(() => {
+        if (!press || waits) return;
+        waits = true;
+        press = press.then(async (taken) => {
+          const held = taken && (await this.still(item));
+          waits = false;
+          return held;
+        });
+      }, BEAT);
     };
     const end = (atOnce = false): void => {
       const before = press;
       if (!before) return;
       press = null;
+      window.clearInterval(beat);
       button.classList.remove("pressed");
-      const release = (): void => void this.write(item, 0, true);
+      const release = (): void => void this.write(item, 0, undefined, true);
       // Two requests may overtake each other: the second waits for the first, unless the page goes.
       if (atOnce) release();
       else void before.then(release);
@@ -233,15 +249,26 @@ export class Panels {
   }
 
   /** Writes a value; says whether the board has taken it. */
-  private async write(item: Item, number: number, keepalive = false): Promise<boolean> {
+  private async write(item: Item, number: number, hold?: "begin", keepalive = false): Promise<boolean> {
     try {
-      await ask("api/write", { board: item.board, point: item.point, value: number }, keepalive);
+      await ask("api/write", { board: item.board, point: item.point, value: number, ...(hold ? { hold } : {}) }, keepalive);
       await this.state.now();
       announce(say("panelTaken", { point: labelOf(item), value: decimal(number) }));
       return true;
     } catch (error) {
       refused(whyOf(error));
       return false;
+    }
+  }
+
+  /** Says that a button is pressed still; false once the gateway has let it go. */
+  private async still({ board, point }: Item): Promise<boolean> {
+    try {
+      await ask("api/write", { board, point, value: 1, hold: "still" });
+      return true;
+    } catch (error) {
+      // What is lost on the way may be heard the next time.
+      return whyOf(error) !== "not held";
     }
   }
 

@@ -72,6 +72,7 @@ export const SITE = {
   deedRestart: ["restart", "reiniciou"],
   deedForce: ["force", "forçou"],
   deedWrite: ["write", "escreveu"],
+  deedRelease: ["release by the gateway", "solto pelo gateway"],
   deedSettings: ["settings", "mudou ajustes"],
   deedUpload: ["upload", "enviou programa"],
   deedAcknowledge: ["acknowledge", "reconheceu"],

@@ -22,8 +22,8 @@ export function gateway() {
     { name: "bomba", up: false, why: "/dev/ttyUSB0: no such port", forced: false, points: { Q1: null } },
   ];
   const alarms = [
-    { name: "estufa-hot", state: "active", severity: "high", text: text("the greenhouse is too hot", "a estufa está quente demais"), since: now - HOUR },
-    { name: "forno-away", state: "normal", severity: "low", text: text("the oven does not answer", "o forno não responde"), since: null },
+    { name: "hot", state: "active", severity: "high", text: text("the greenhouse is too hot", "a estufa está quente demais"), boards: ["estufa"], since: now - HOUR },
+    { name: "forno-away", state: "normal", severity: "low", text: text("the oven does not answer", "o forno não responde"), boards: ["forno"], since: null },
   ];
   const panels = [
     {
@@ -48,7 +48,7 @@ export function gateway() {
     /** @type {{ board: string, point: string, value: number }[]} */
     written: [],
     /** @type {{ at: number, alarm: string, change: string, state: string, who: string | null }[]} */
-    past: [{ at: now - HOUR, alarm: "estufa-hot", change: "came", state: "active", who: null }],
+    past: [{ at: now - HOUR, alarm: "hot", change: "came", state: "active", who: null }],
     deeds: [
       { at: now - 2 * HOUR, who: "rui", from: "10.0.0.7", of: "estufa", what: "upload", detail: "" },
       { at: now - 90_000, who: "ana", from: "10.0.0.8", of: "estufa", what: "write", detail: "target = 25" },

@@ -69,11 +69,11 @@ test("an alarm is acknowledged, and what became of it is listed", async () => {
   const of = gateway();
   const page = await open(of, "#alarms");
   await page.locator("#to-alarms .count", { hasText: "1" }).waitFor();
-  const row = page.locator("tr", { hasText: "estufa-hot" }).first();
+  const row = page.locator("tr", { hasText: "hot" }).first();
   await row.getByText("Active").waitFor();
   await clean(page, "alarms");
   await page.screenshot({ path: join(pictures, "site-alarms.png") });
-  await page.getByRole("button", { name: "Acknowledge estufa-hot" }).click();
+  await page.getByRole("button", { name: "Acknowledge hot" }).click();
   await row.getByText("Acknowledged").waitFor();
   await page.locator("#to-alarms .count").waitFor({ state: "detached" });
   await page.locator("#of-alarms table").last().locator("tr", { hasText: "ana" }).getByText("acknowledged").waitFor();

@@ -29,6 +29,19 @@ try {
   await page.locator(".chart canvas").waitFor();
   await page.click("#to-deeds");
   await page.locator("#of-deeds tr", { hasText: "Q1 = 1" }).waitFor();
+  // A phone that is out of its network presses no button for long.
+  const phone = await lab.browser.newContext({ locale: "en-US" });
+  const gone = await phone.newPage();
+  await gone.goto(`${address}#panels/screens`);
+  await gone.getByRole("button", { name: "Horn" }).hover();
+  await gone.mouse.down();
+  await gone.locator('.push[data-on="true"]').waitFor();
+  await phone.setOffline(true);
+  const horn = async () => (await (await fetch(new URL("api/boards", address))).json())[0].points.Q2;
+  while ((await horn()) !== 0);
+  await page.click("#to-alarms");
+  await page.click("#to-deeds");
+  await page.locator("#of-deeds tr", { hasText: "release by the gateway" }).waitFor();
   // From a board's card its own page is reached.
   await page.click("#to-boards");
   await card.getByRole("link", { name: "Program and ladder" }).click();

@@ -6,7 +6,7 @@ use unoclp_journal::Failure;
 /// Says that the file is one of these: `uncl`.
 const OURS: i64 = 0x756e_636c;
 /// The version of the form. A later one is refused as it is.
-const VERSION: i64 = 2;
+const VERSION: i64 = 3;
 
 /// A thinned row stands for the samples from `at` on, `width` ms long. Of each journal (source) all is taken up to `n`.
 const FORM: &str = "
@@ -21,6 +21,8 @@ const FORM: &str = "
 /// What version 2 has beside that.
 const TAKEN: &str =
     "CREATE TABLE taken (source TEXT PRIMARY KEY, n INTEGER NOT NULL) WITHOUT ROWID;";
+/// What version 3 has beside that: samples as they have come, before they are sorted in among the others.
+const RECENT: &str = "TABLE recent (seq INTEGER PRIMARY KEY, point INTEGER NOT NULL, at INTEGER NOT NULL, value REAL);";
 
 /// The version of a file; none of an empty one.
 pub(super) fn found(file: &Connection) -> Result<Option<i64>, Failure> {
@@ -48,8 +50,19 @@ pub(super) fn bring(file: &mut Connection, found: Option<i64>) -> Result<(), Fai
         form.execute_batch(FORM)?;
         form.pragma_update(None, "application_id", OURS)?;
     }
-    form.execute_batch(TAKEN)?;
+    if found < Some(2) {
+        form.execute_batch(TAKEN)?;
+    }
+    form.execute_batch(&format!("CREATE {RECENT}"))?;
     form.pragma_update(None, "user_version", VERSION)?;
     form.commit()?;
+    Ok(())
+}
+
+/// Lets a file of this version be read as one of the present one. The file stays as it is.
+pub(super) fn read_as_present(file: &Connection, found: i64) -> Result<(), Failure> {
+    if found < VERSION {
+        file.execute_batch(&format!("CREATE TEMP {RECENT}"))?;
+    }
     Ok(())
 }

@@ -1,15 +1,21 @@
 //! A history in a file of SQLite: points, what they were, and what is left of that.
 //!
+//! Samples come in the order of time, a few of each point, and are asked for by point. So they are written at the end of one
+//! table as they come, and sorted in among those of their points many at a time: else each would cost a page of its own.
+//!
 //! - `form`: the tables, and how those of an older version become them
+//! - `put`: how samples come in
 //! - `rows`: what is asked; `thin`: what is left of old rows
 
 mod form;
+mod put;
 mod rows;
 mod thin;
 
 use crate::query::{Query, Row};
 use crate::store::Store;
-use rusqlite::{Connection, OpenFlags, OptionalExtension, Transaction, params};
+use put::Points;
+use rusqlite::{Connection, OpenFlags, OptionalExtension};
 use std::path::Path;
 use std::time::Duration;
 use unoclp_journal::{Entry, Failure, Sample};
@@ -21,9 +27,17 @@ const PATIENCE: Duration = Duration::from_secs(5);
 #[derive(Debug)]
 pub struct Sqlite {
     pub(crate) file: Connection,
+    points: Points,
 }
 
 impl Sqlite {
+    fn of(file: Connection) -> Sqlite {
+        Sqlite {
+            file,
+            points: Points::default(),
+        }
+    }
+
     /// Opens this file, and makes it where it is not there. One of an older version is brought to this one.
     ///
     /// # Errors
@@ -36,7 +50,7 @@ impl Sqlite {
         file.pragma_update(None, "journal_mode", "WAL")?;
         file.pragma_update(None, "synchronous", "FULL")?;
         form::bring(&mut file, found)?;
-        Ok(Sqlite { file })
+        Ok(Sqlite::of(file))
     }
 
     /// The same to read alone, beside whoever writes.
@@ -46,10 +60,9 @@ impl Sqlite {
     pub fn read(path: &Path) -> Result<Sqlite, Failure> {
         let file = Connection::open_with_flags(path, OpenFlags::SQLITE_OPEN_READ_ONLY)?;
         file.busy_timeout(PATIENCE)?;
-        match form::found(&file)? {
-            Some(_) => Ok(Sqlite { file }),
-            None => Err(Failure::Foreign),
-        }
+        let found = form::found(&file)?.ok_or(Failure::Foreign)?;
+        form::read_as_present(&file, found)?;
+        Ok(Sqlite::of(file))
     }
 
     /// Writes these samples, all or none of them.
@@ -57,10 +70,21 @@ impl Sqlite {
     /// # Errors
     /// [`Failure`]; none of them is then written.
     pub fn append(&mut self, samples: &[Sample]) -> Result<(), Failure> {
-        let all = self.file.transaction()?;
-        append(&all, samples.iter())?;
-        all.commit()?;
-        Ok(())
+        self.put(samples.iter(), None)
+    }
+
+    /// The same, and how far they lead in which journal.
+    fn put<'s>(
+        &mut self,
+        samples: impl Iterator<Item = &'s Sample>,
+        taken: Option<(&str, u64)>,
+    ) -> Result<(), Failure> {
+        let written = put::put(&mut self.file, &mut self.points, samples, taken);
+        if written.is_err() {
+            // What was new among them has been undone.
+            self.points = Points::default();
+        }
+        written
     }
 }
 
@@ -70,17 +94,12 @@ impl Store for Sqlite {
     }
 
     fn take(&mut self, source: &str, entries: &[Entry]) -> Result<(), Failure> {
-        let all = self.file.transaction()?;
-        let before = taken(&all, source)?.unwrap_or(0);
+        let before = taken(&self.file, source)?.unwrap_or(0);
         let new = entries.iter().filter(|entry| entry.number > before);
-        append(&all, new.map(|entry| &entry.sample))?;
-        if let Some(last) = entries.last().filter(|last| last.number > before) {
-            let number = i64::try_from(last.number).unwrap_or(i64::MAX);
-            all.prepare_cached("INSERT OR REPLACE INTO taken VALUES (?, ?)")?
-                .execute(params![source, number])?;
-        }
-        all.commit()?;
-        Ok(())
+        let Some(last) = new.clone().next_back() else {
+            return Ok(());
+        };
+        self.put(new.map(|entry| &entry.sample), Some((source, last.number)))
     }
 
     fn points(&mut self) -> Result<Vec<(String, String)>, Failure> {
@@ -106,43 +125,12 @@ fn taken(file: &Connection, source: &str) -> Result<Option<u64>, rusqlite::Error
     Ok(taken.and_then(|taken| u64::try_from(taken).ok()))
 }
 
-/// Each sample gets a number of its own, in the order of writing: a clock that is set back changes no order.
-fn append<'s>(
-    all: &Transaction<'_>,
-    samples: impl Iterator<Item = &'s Sample>,
-) -> Result<(), rusqlite::Error> {
-    let mut seq: i64 = all.query_row("SELECT seq FROM next", [], |row| row.get(0))?;
-    for sample in samples {
-        let row = params![point(all, sample)?, sample.at, seq, sample.value];
-        all.prepare_cached("INSERT INTO sample VALUES (?, ?, ?, ?)")?
-            .execute(row)?;
-        seq += 1;
-    }
-    all.execute("UPDATE next SET seq = ?", [seq])?;
-    Ok(())
-}
-
-/// The number of a sample's point, a new one where it has none.
-fn point(all: &Transaction<'_>, sample: &Sample) -> Result<i64, rusqlite::Error> {
-    let names = [&sample.board, &sample.point];
-    let mut known = all.prepare_cached("SELECT id FROM point WHERE board = ? AND name = ?")?;
-    if let Some(id) = known.query_row(names, |row| row.get(0)).optional()? {
-        return Ok(id);
-    }
-    all.prepare_cached("INSERT INTO point (board, name) VALUES (?, ?)")?
-        .execute(names)?;
-    Ok(all.last_insert_rowid())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn where_the_disk_is_full_nothing_is_written_by_half() {
-        let folder = tempfile::tempdir().unwrap();
-        let mut store = Sqlite::open(&folder.path().join("h.db")).unwrap();
-        let entry = |number: u64| Entry {
+    fn entry(number: u64) -> Entry {
+        Entry {
             number,
             sample: Sample {
                 board: "b".into(),
@@ -150,7 +138,29 @@ mod tests {
                 at: number as i64,
                 value: Some(1.0),
             },
+        }
+    }
+
+    #[test]
+    fn a_file_that_may_only_be_read_says_so_and_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut store = Sqlite::open(&folder.path().join("h.db")).unwrap();
+        let read_only = |store: &Sqlite, is: bool| {
+            store.file.pragma_update(None, "query_only", is).unwrap();
         };
+        read_only(&store, true);
+        assert_eq!(store.take("s", &[entry(1)]), Err(Failure::ReadOnly));
+        assert_eq!(store.taken("s"), Ok(None));
+        read_only(&store, false);
+        store.take("s", &[entry(1)]).unwrap();
+        let points = [("b".to_owned(), "p".to_owned())];
+        assert_eq!(store.points().unwrap(), points);
+    }
+
+    #[test]
+    fn where_the_disk_is_full_nothing_is_written_by_half() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut store = Sqlite::open(&folder.path().join("h.db")).unwrap();
         store.take("s", &[entry(1)]).unwrap();
         let limit = |store: &Sqlite, pages: i64| {
             let set = format!("PRAGMA max_page_count({pages})");

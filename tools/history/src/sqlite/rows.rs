@@ -14,6 +14,7 @@ pub(super) fn rows(file: &Connection, query: &Query) -> Result<Vec<Row>, Failure
     let mut found = file.prepare_cached(
         "SELECT at, least, most, last, 0 AS seq FROM thinned WHERE point = ?1 AND at >= ?2 AND at < ?3
          UNION ALL SELECT at, value, value, value, seq FROM sample WHERE point = ?1 AND at >= ?2 AND at < ?3
+         UNION ALL SELECT at, value, value, value, seq FROM recent WHERE point = ?1 AND at >= ?2 AND at < ?3
          ORDER BY at, seq",
     )?;
     let found = found.query_map(params![point, query.from, query.to], |row| {
@@ -39,6 +40,8 @@ fn before(file: &Connection, point: i64, at: i64) -> Result<Option<Option<f64>>,
             SELECT * FROM (SELECT at, last, 0 AS seq FROM thinned WHERE point = ?1 AND at < ?2 ORDER BY at DESC LIMIT 1)
             UNION ALL
             SELECT * FROM (SELECT at, value, seq FROM sample WHERE point = ?1 AND at < ?2 ORDER BY at DESC, seq DESC LIMIT 1)
+            UNION ALL
+            SELECT * FROM (SELECT at, value, seq FROM recent WHERE point = ?1 AND at < ?2 ORDER BY at DESC, seq DESC LIMIT 1)
          ) ORDER BY at DESC, seq DESC LIMIT 1",
     )?;
     let last = last.query_row([point, at], |row| row.get(0));

@@ -1,5 +1,6 @@
 //! Puts one row in place of many that are old.
 
+use super::put::sort_in;
 use crate::query::Row;
 use crate::thinned::{AT_ONCE, HOUR, MINUTE, Part, before, whole};
 use rusqlite::{Connection, Transaction, params};
@@ -8,6 +9,10 @@ use unoclp_journal::Failure;
 pub(super) fn thin(file: &mut Connection, now: i64, keep: i64) -> Result<bool, Failure> {
     let all = file.transaction()?;
     let (samples_before, minutes_before) = before(now, keep);
+    let is_old = "SELECT EXISTS (SELECT * FROM recent WHERE at < ?)";
+    if all.query_row(is_old, [samples_before], |row| row.get(0))? {
+        sort_in(&all)?;
+    }
     let more = of_samples(&all, samples_before)? | of_minutes(&all, minutes_before)?;
     all.commit()?;
     Ok(more)
@@ -16,7 +21,8 @@ pub(super) fn thin(file: &mut Connection, now: i64, keep: i64) -> Result<bool, F
 fn of_samples(all: &Transaction<'_>, before: i64) -> Result<bool, Failure> {
     let parts = parts(
         all,
-        "SELECT point, at, value, value, value FROM sample WHERE at < ?1 ORDER BY point, at, seq LIMIT ?2",
+        "SELECT id, at, value, value, value FROM point CROSS JOIN sample ON point = id
+         WHERE at < ?1 ORDER BY id, at, seq LIMIT ?2",
         before,
     )?;
     let (whole, more) = whole(parts, MINUTE);
@@ -31,7 +37,8 @@ fn of_samples(all: &Transaction<'_>, before: i64) -> Result<bool, Failure> {
 fn of_minutes(all: &Transaction<'_>, before: i64) -> Result<bool, Failure> {
     let parts = parts(
         all,
-        "SELECT point, at, least, most, last FROM thinned WHERE at < ?1 AND width < 3600000 ORDER BY point, at LIMIT ?2",
+        "SELECT id, at, least, most, last FROM point CROSS JOIN thinned ON point = id
+         WHERE at < ?1 AND width < 3600000 ORDER BY id, at LIMIT ?2",
         before,
     )?;
     let (whole, more) = whole(parts, HOUR);
@@ -45,6 +52,7 @@ fn of_minutes(all: &Transaction<'_>, before: i64) -> Result<bool, Failure> {
     Ok(more)
 }
 
+/// What is old, point by point: nobody looks through what is not.
 fn parts(all: &Transaction<'_>, sql: &str, before: i64) -> Result<Vec<Part>, Failure> {
     let mut parts = all.prepare_cached(sql)?;
     let parts = parts.query_map([before, AT_ONCE], |row| {

@@ -4,7 +4,8 @@ use crate::store;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
-use unoclp_history::{Failure, Sqlite, Store};
+use unoclp_history::{Failure, Query, Sample, Sqlite, Store};
+use unoclp_journal::Entry;
 
 struct Folder(TempDir);
 
@@ -57,9 +58,9 @@ fn a_file_of_something_else_is_left_as_it_is() {
     let path = folder.file();
     drop(Sqlite::open(&path).unwrap());
     let other = rusqlite::Connection::open(&path).unwrap();
-    other.pragma_update(None, "user_version", 3).unwrap();
+    other.pragma_update(None, "user_version", 4).unwrap();
     drop(other);
-    assert_eq!(refused(&path), Failure::Version(3));
+    assert_eq!(refused(&path), Failure::Version(4));
     let foreign = folder.0.path().join("foreign.db");
     rusqlite::Connection::open(&foreign)
         .unwrap()
@@ -83,7 +84,7 @@ fn a_file_of_the_version_before_is_brought_to_this_one_and_keeps_all() {
     let path = folder.file();
     drop(Sqlite::open(&path).unwrap());
     let before = rusqlite::Connection::open(&path).unwrap();
-    let back = "DROP TABLE taken; PRAGMA user_version = 1;
+    let back = "DROP TABLE taken; DROP TABLE recent; PRAGMA user_version = 1;
         INSERT INTO point VALUES (1, 'estufa', 'level'); INSERT INTO sample VALUES (1, 5, 0, 7.5); UPDATE next SET seq = 1;";
     before.execute_batch(back).unwrap();
     drop(before);
@@ -110,4 +111,42 @@ fn what_is_read_beside_a_writer_is_what_it_has_committed() {
             .unwrap();
         assert_eq!(reader.rows(&store::query(0, 100, 0)).unwrap().len(), count);
     }
+}
+
+#[test]
+fn of_many_samples_each_stands_in_its_place_once() {
+    let folder = Folder::new();
+    let mut store = Sqlite::open(&folder.file()).unwrap();
+    let mut reader = Sqlite::read(&folder.file()).unwrap();
+    let names = ["level", "flow", "heat"];
+    let all = 150_000_u64;
+    // Of each point one after the other, and now and then an hour back.
+    let at = |number: u64| number as i64 * 10 - if number % 7_000 < 3 { 3_600_000 } else { 0 };
+    let sample = |number: u64| Sample {
+        point: names[number as usize % names.len()].into(),
+        ..store::sample(at(number), number as f64)
+    };
+    for first in (0..all).step_by(9_000) {
+        let numbers = first..(first + 9_000).min(all);
+        let entry = |number| Entry {
+            number: number + 1,
+            sample: sample(number),
+        };
+        let entries: Vec<Entry> = numbers.clone().map(entry).collect();
+        store.take("s", &entries).unwrap();
+        for (of, name) in names.iter().enumerate() {
+            let query = Query {
+                point: (*name).into(),
+                ..store::query(i64::MIN, i64::MAX, 0)
+            };
+            let found = reader.rows(&query).unwrap();
+            let values: Vec<u64> = found.iter().map(|row| row.last.unwrap() as u64).collect();
+            let mut expected: Vec<u64> = (0..numbers.end)
+                .filter(|number| *number as usize % names.len() == of)
+                .collect();
+            expected.sort_by_key(|number| (at(*number), *number));
+            assert!(values == expected, "{name} after {}", numbers.end);
+        }
+    }
+    assert_eq!(store.taken("s"), Ok(Some(all)));
 }

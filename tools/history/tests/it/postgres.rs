@@ -3,7 +3,7 @@
 
 use crate::server::Server;
 use crate::store;
-use unoclp_history::{Failure, Moved, NotMoved, Postgres, Sqlite, Store, move_all};
+use unoclp_history::{Address, Failure, Moved, NotMoved, Postgres, Sqlite, Store, Trust, move_all};
 
 #[test]
 fn a_database_holds_what_a_file_holds() {
@@ -81,4 +81,57 @@ fn a_file_moves_into_a_database_all_or_nothing() {
         matches!(again, Err(NotMoved::Known(board, point)) if (&*board, &*point) == ("estufa", "level"))
     );
     assert_eq!(database.rows(&all).unwrap(), rows);
+}
+
+#[test]
+fn an_encrypted_database_is_trusted_by_its_certificate() {
+    let signed = || rcgen::generate_simple_self_signed(vec!["localhost".to_owned()]).unwrap();
+    let own = signed();
+    let server = Server::encrypted(&own.cert.pem(), &own.signing_key.serialize_pem());
+    let address = server.database("a");
+    store::each_entry_is_taken_once(&mut Postgres::open(&address).unwrap());
+    let sql = "CREATE ROLE gateway LOGIN PASSWORD 'secret'; GRANT ALL ON DATABASE a TO gateway;
+        GRANT ALL ON SCHEMA unoclp TO gateway; GRANT ALL ON ALL TABLES IN SCHEMA unoclp TO gateway";
+    server.psql("a", sql);
+    let of = |password: Option<&str>| Address {
+        user: "gateway".into(),
+        password: password.map(str::to_owned),
+        ..address.clone()
+    };
+    let opened = Postgres::open(&of(Some("secret"))).unwrap();
+    let sql = "SELECT DISTINCT ssl FROM pg_stat_ssl JOIN pg_stat_activity USING (pid) WHERE application_name = 'unoclp'";
+    assert_eq!(server.psql("a", sql), "t");
+    drop(opened);
+    let other = Trust {
+        ca: Some(signed().cert.pem().into()),
+    };
+    let plain = Server::new();
+    let refused = [
+        of(Some("wrong")),
+        of(None),
+        // It is not encrypted, is signed by another, has another name, or cannot be encrypted.
+        Address {
+            tls: None,
+            ..address.clone()
+        },
+        Address {
+            tls: Some(other),
+            ..address.clone()
+        },
+        Address {
+            host: "127.0.0.1".into(),
+            ..address.clone()
+        },
+        Address {
+            tls: address.tls.clone(),
+            ..plain.address("postgres")
+        },
+    ];
+    for address in refused {
+        let why = Postgres::open(&address).err();
+        assert!(
+            matches!(why, Some(Failure::Other(_))),
+            "{address:?}: {why:?}"
+        );
+    }
 }

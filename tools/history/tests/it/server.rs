@@ -1,20 +1,23 @@
 //! A PostgreSQL on a free port, which can be killed and begun again.
 
 use std::net::{TcpListener, TcpStream};
+use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
-use unoclp_history::Address;
+use unoclp_history::{Address, Trust};
 
 /// No test waits for longer: what is not there by then does not come.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// A server whose only user is `unoclp`, without a password.
+/// A server whose user `unoclp` needs no password.
 pub struct Server {
     folder: tempfile::TempDir,
     child: Option<Child>,
     pub port: u16,
+    /// The certificate of one that takes encrypted connections alone.
+    certificate: Option<String>,
 }
 
 /// Where Debian keeps the programs of the server: no path leads there.
@@ -101,9 +104,33 @@ fn copy(from: &Path, to: &Path) {
 
 impl Server {
     pub fn new() -> Server {
+        Server::of(None)
+    }
+
+    /// One that takes encrypted connections alone, with this certificate and its key. Its user `gateway` needs a password.
+    pub fn encrypted(certificate: &str, key: &str) -> Server {
+        Server::of(Some((certificate, key)))
+    }
+
+    fn of(tls: Option<(&str, &str)>) -> Server {
         let folder = tempfile::tempdir().unwrap();
         give_away(folder.path());
-        copy(&files(), &folder.path().join("data"));
+        let data = folder.path().join("data");
+        copy(&files(), &data);
+        if let Some((certificate, key)) = tls {
+            let who = "hostssl all gateway all scram-sha-256\nhostssl all unoclp all trust\n";
+            for (name, text) in [
+                ("server.crt", certificate),
+                ("server.key", key),
+                ("pg_hba.conf", who),
+            ] {
+                let path = data.join(name);
+                std::fs::write(&path, text).unwrap();
+                // It takes no key that others may read.
+                std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o600)).unwrap();
+                give_away(&path);
+            }
+        }
         let free = TcpListener::bind("127.0.0.1:0").unwrap();
         let port = free.local_addr().unwrap().port();
         drop(free);
@@ -111,6 +138,7 @@ impl Server {
             folder,
             child: None,
             port,
+            certificate: tls.map(|(certificate, _)| certificate.to_owned()),
         };
         server.begin();
         server
@@ -138,6 +166,7 @@ impl Server {
             .args(["-p", &self.port.to_string(), "-k", ""])
             .args(["-c", "listen_addresses=127.0.0.1", "-c", "fsync=off"])
             .args(["-c", "shared_buffers=16MB", "-c", "max_connections=20"])
+            .args(self.certificate.iter().flat_map(|_| ["-c", "ssl=on"]))
             .stdout(Stdio::null())
             .stderr(Stdio::null())
             .current_dir("/")
@@ -167,13 +196,17 @@ impl Server {
     }
 
     pub fn address(&self, database: &str) -> Address {
+        let encrypted = |certificate: &String| Trust {
+            ca: Some(certificate.clone().into()),
+        };
         Address {
-            host: "127.0.0.1".into(),
+            // As its certificate calls it.
+            host: "localhost".into(),
             port: self.port,
             user: "unoclp".into(),
             database: database.into(),
             password: None,
-            tls: None,
+            tls: self.certificate.as_ref().map(encrypted),
         }
     }
 

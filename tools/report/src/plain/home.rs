@@ -1,4 +1,5 @@
-//! What Home Assistant finds: one device a board, one component a point (*MQTT discovery, device discovery payload*).
+//! What Home Assistant finds: one device a board, one component a point (*MQTT discovery, device discovery payload*); and one
+//! for the alarms of the gateway.
 
 use super::topics::Topics;
 use crate::boards::{Board, Shape, shape};
@@ -16,6 +17,16 @@ pub(super) struct Home {
     gateway: String,
     /// The components of each board, and their platforms. One that is no more is removed by name.
     told: BTreeMap<String, BTreeMap<String, &'static str>>,
+    /// The same of the alarms.
+    told_alarms: BTreeMap<String, &'static str>,
+}
+
+/// The components of an alarm.
+const PROBLEM: &str = "binary_sensor";
+const ACKNOWLEDGE: &str = "button";
+
+fn acknowledging(alarm: &str) -> String {
+    format!("{alarm}$acknowledge")
 }
 
 impl Home {
@@ -23,6 +34,7 @@ impl Home {
         Home {
             gateway: gateway.to_owned(),
             told: BTreeMap::new(),
+            told_alarms: BTreeMap::new(),
         }
     }
 
@@ -60,12 +72,7 @@ impl Home {
             told.insert(point.name.clone(), platform);
         }
         let before = self.told.insert(board.name.clone(), told);
-        for (name, platform) in before.unwrap_or_default() {
-            // With nothing but its platform a component is removed.
-            components
-                .entry(name)
-                .or_insert_with(|| json!({ "p": platform }));
-        }
+        remove(&mut components, before.unwrap_or_default());
         let online = |topic: String| json!({ "topic": topic });
         let config = json!({
             "dev": { "ids": [id], "name": board.name, "mf": "unoclp", "mdl": "unoclp" },
@@ -76,6 +83,73 @@ impl Home {
             "cmps": components,
         });
         Some((format!("{ABOVE}/device/{id}/config"), config.to_string()))
+    }
+
+    /// An alarm that this site no longer has.
+    pub fn forget_alarm(&mut self, alarm: &str) {
+        self.told_alarms.insert(alarm.to_owned(), PROBLEM);
+        self.told_alarms.insert(acknowledging(alarm), ACKNOWLEDGE);
+    }
+
+    /// The topic and the payload that tell it of these alarms; none where there were and are none.
+    pub fn alarms<'a>(
+        &mut self,
+        alarms: impl Iterator<Item = &'a str>,
+        rights: &Rights,
+        topics: &Topics,
+    ) -> Option<(String, String)> {
+        let id = &self.gateway;
+        let mut components = Map::new();
+        let mut told = BTreeMap::new();
+        for alarm in alarms {
+            let state = topics.alarm(alarm);
+            components.insert(alarm.to_owned(), json!({
+                "p": PROBLEM,
+                "device_class": "problem",
+                "unique_id": format!("{id}$alarm_{alarm}"),
+                "name": alarm,
+                "state_topic": state,
+                "value_template": "{{ 'ON' if value_json.state in ['active', 'acknowledged'] else 'OFF' }}",
+                "json_attributes_topic": state,
+            }));
+            told.insert(alarm.to_owned(), PROBLEM);
+            if rights.acknowledge {
+                let key = acknowledging(alarm);
+                components.insert(
+                    key.clone(),
+                    json!({
+                        "p": ACKNOWLEDGE,
+                        "unique_id": format!("{id}$alarm_{key}"),
+                        "name": format!("{alarm}: acknowledge"),
+                        "command_topic": topics.acknowledge(alarm),
+                        "payload_press": "true",
+                    }),
+                );
+                told.insert(key, ACKNOWLEDGE);
+            }
+        }
+        let before = std::mem::replace(&mut self.told_alarms, told);
+        remove(&mut components, before);
+        if components.is_empty() {
+            return None;
+        }
+        let config = json!({
+            "dev": { "ids": [id], "name": self.gateway, "mf": "unoclp", "mdl": "unoclp" },
+            "o": { "name": "unoclp", "sw": env!("CARGO_PKG_VERSION") },
+            "availability": [{ "topic": topics.gateway() }],
+            "qos": 1,
+            "cmps": components,
+        });
+        Some((format!("{ABOVE}/device/{id}/config"), config.to_string()))
+    }
+}
+
+/// Those that there were, and are no more: with nothing but its platform a component is removed.
+fn remove(components: &mut Map<String, Value>, before: BTreeMap<String, &'static str>) {
+    for (name, platform) in before {
+        components
+            .entry(name)
+            .or_insert_with(|| json!({ "p": platform }));
     }
 }
 

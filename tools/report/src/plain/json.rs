@@ -20,6 +20,11 @@ pub(super) fn refused(point: &str, refusal: Refusal) -> String {
     json!({ "point": point, "why": refusal.word() }).to_string()
 }
 
+/// Which alarm is not acknowledged, and why.
+pub(super) fn alarm_refused(alarm: &str, refusal: Refusal) -> String {
+    json!({ "alarm": alarm, "why": refusal.word() }).to_string()
+}
+
 /// How an alarm stands.
 pub(super) fn alarm(alarm: &Alarm) -> String {
     let Alarm {

@@ -13,7 +13,7 @@ mod topics;
 use crate::alarm::Alarm;
 use crate::boards::{Board, Boards, News, Sample};
 use crate::change::Change;
-use crate::command::{Command, Refusal, Rights, WAITING, value};
+use crate::command::{Refusal, Rights, WAITING, Wish, value};
 use crate::session::{Message, Now, Out, Session};
 use home::Home;
 use std::collections::{BTreeMap, VecDeque};
@@ -48,7 +48,7 @@ pub(crate) struct Plain {
     read: u64,
     /// All values are to be told again, once all of the journal is told.
     is_due: bool,
-    /// Commands that boards have not answered yet.
+    /// Wishes that are not done yet.
     under_way: usize,
     /// The alarms of the site, each once somebody has said how it stands.
     alarms: BTreeMap<String, Option<Alarm>>,
@@ -117,6 +117,7 @@ impl Plain {
             }
             self.tell_home(&name);
         }
+        self.tell_home_alarms();
         for alarm in self.alarms.values().flatten().cloned().collect::<Vec<_>>() {
             self.tell_alarm(&alarm);
         }
@@ -150,6 +151,17 @@ impl Plain {
             return;
         };
         if let Some((topic, payload)) = home.config(board, &self.rights, &self.topics) {
+            self.say(topic, payload, true);
+        }
+    }
+
+    /// Tells Home Assistant of the alarms, and of those that are no more.
+    fn tell_home_alarms(&mut self) {
+        let Some(home) = &mut self.home else {
+            return;
+        };
+        let alarms = self.alarms.keys().map(|name| &**name);
+        if let Some((topic, payload)) = home.alarms(alarms, &self.rights, &self.topics) {
             self.say(topic, payload, true);
         }
     }
@@ -198,14 +210,19 @@ impl Plain {
         }
     }
 
-    fn command(&mut self, board: &str, point: &str, payload: &[u8]) -> Result<(), Refusal> {
-        let value = value(payload)?;
-        let command = self.rights.command(board, point, value)?;
+    fn refuse_alarm(&mut self, alarm: &str, refusal: Refusal) {
+        if self.urgent.len() < URGENT {
+            let topic = self.topics.alarm_refused();
+            self.say(topic, json::alarm_refused(alarm, refusal), false);
+        }
+    }
+
+    fn carry(&mut self, wish: Wish) -> Result<(), Refusal> {
         if self.under_way >= WAITING {
             return Err(Refusal::TooMany);
         }
         self.under_way += 1;
-        self.urgent.push_back(Out::Carry(command));
+        self.urgent.push_back(Out::Carry(wish));
         Ok(())
     }
 }
@@ -226,6 +243,8 @@ impl Session for Plain {
         self.urgent
             .push_back(Out::Subscribe(self.topics.commands()));
         self.urgent.push_back(Out::Subscribe(self.topics.alarms()));
+        let acknowledge = self.topics.acknowledge("+");
+        self.urgent.push_back(Out::Subscribe(acknowledge));
         if let Some(home) = &self.home {
             self.urgent.push_back(Out::Subscribe(home.status()));
         }
@@ -279,7 +298,7 @@ impl Session for Plain {
         }
     }
 
-    fn alarm(&mut self, alarm: &Alarm) {
+    fn alarm(&mut self, alarm: &Alarm, _: Now) {
         self.alarms.insert(alarm.name.clone(), Some(alarm.clone()));
         self.tell_alarm(alarm);
     }
@@ -289,6 +308,20 @@ impl Session for Plain {
             // The broker has kept it from a site that had this alarm.
             if retained && !payload.is_empty() && !self.alarms.contains_key(alarm) {
                 self.say(topic.to_owned(), Vec::new(), true);
+                if let Some(home) = &mut self.home {
+                    home.forget_alarm(alarm);
+                    self.tell_home_alarms();
+                }
+            }
+            return;
+        }
+        if let Some(alarm) = self.topics.acknowledged(topic) {
+            let wish = match retained {
+                true => Err(Refusal::Retained),
+                false => acknowledges(payload).and_then(|()| self.rights.acknowledged(alarm)),
+            };
+            if let Err(refusal) = wish.and_then(|wish| self.carry(wish)) {
+                self.refuse_alarm(alarm, refusal);
             }
             return;
         }
@@ -303,19 +336,23 @@ impl Session for Plain {
         let Some(Asked { board, point }) = self.topics.asked(topic) else {
             return;
         };
-        let outcome = match retained {
+        let wish = match retained {
             true => Err(Refusal::Retained),
-            false => self.command(&board, &point, payload),
+            false => value(payload).and_then(|value| self.rights.set(&board, &point, value)),
         };
-        if let Err(refusal) = outcome {
+        if let Err(refusal) = wish.and_then(|wish| self.carry(wish)) {
             self.refuse(&board, &point, refusal);
         }
     }
 
-    fn done(&mut self, command: &Command, outcome: Result<(), Refusal>, _: Now) {
+    fn done(&mut self, wish: &Wish, outcome: Result<(), Refusal>, _: Now) {
         self.under_way = self.under_way.saturating_sub(1);
-        if let Err(refusal) = outcome {
-            self.refuse(&command.board, &command.grant.point, refusal);
+        match (wish, outcome) {
+            (_, Ok(())) => {}
+            (Wish::Set(command), Err(refusal)) => {
+                self.refuse(&command.board, &command.grant.point, refusal);
+            }
+            (Wish::Acknowledge(alarm), Err(refusal)) => self.refuse_alarm(alarm, refusal),
         }
     }
 
@@ -340,5 +377,13 @@ impl Session for Plain {
 
     fn dropped(&self) -> u64 {
         0
+    }
+}
+
+/// Whether this is said to acknowledge: any value but 0 and `false`.
+fn acknowledges(payload: &[u8]) -> Result<(), Refusal> {
+    match value(payload)? {
+        0.0 => Err(Refusal::NoValue),
+        _ => Ok(()),
     }
 }

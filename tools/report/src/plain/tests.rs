@@ -101,8 +101,8 @@ fn while_a_broker_is_away_or_slow_the_journal_is_not_read_on() {
     assert_eq!(session.told(), None);
     // Each state once, and as many samples as are enough.
     let out = all(&mut session);
-    // Commands and alarms are asked for, too.
-    assert_eq!(out.len(), 2 + 2 + ENOUGH);
+    // Commands, alarms and what acknowledges them are asked for, too.
+    assert_eq!(out.len(), 2 + 3 + ENOUGH);
     assert_eq!(session.wants(), Some(ENOUGH as u64));
     assert_eq!(session.told(), Some(ENOUGH as u64));
 }
@@ -173,7 +173,7 @@ fn alarms_are_told_to_each_broker_and_those_of_before_are_removed() {
         since: Some(5),
         who: None,
     };
-    session.alarm(&hot);
+    session.alarm(&hot, at(0));
     session.connected(at(0));
     let told = all(&mut session);
     assert_eq!(topics(&told), ["unoclp/$status", "unoclp/$alarm/hot"]);

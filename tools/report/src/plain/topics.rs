@@ -48,7 +48,23 @@ impl Topics {
     /// Of which alarm a topic speaks; none of another topic.
     pub fn alarm_of<'t>(&self, topic: &'t str) -> Option<&'t str> {
         let below = topic.strip_prefix(&*self.above)?;
-        below.strip_prefix("/$alarm/")
+        let alarm = below.strip_prefix("/$alarm/")?;
+        Some(alarm).filter(|alarm| !alarm.contains('/'))
+    }
+
+    /// That an alarm is acknowledged.
+    pub fn acknowledge(&self, alarm: &str) -> String {
+        format!("{}/acknowledge", self.alarm(alarm))
+    }
+
+    /// Which alarm shall be acknowledged; none of another topic.
+    pub fn acknowledged<'t>(&self, topic: &'t str) -> Option<&'t str> {
+        self.alarm_of(topic.strip_suffix("/acknowledge")?)
+    }
+
+    /// Which alarms are not acknowledged.
+    pub fn alarm_refused(&self) -> String {
+        self.alarm("$refused")
     }
 
     /// What a point is.
@@ -99,6 +115,10 @@ mod tests {
                 point: "x".into()
             })
         );
+        let acknowledge = topics.acknowledge("hot");
+        assert_eq!(topics.acknowledged(&acknowledge), Some("hot"));
+        assert_eq!(topics.alarm_of(&acknowledge), None);
+        assert_eq!(topics.acknowledged("unoclp/b/acknowledge"), None);
         for topic in [
             "unoclp/b/x",
             "unoclp/set",

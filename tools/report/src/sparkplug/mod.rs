@@ -3,11 +3,13 @@
 //! - `topics`: the names of the topics
 //! - `payload`: what a message holds
 //! - `host`: whether the primary host is there
+//! - `alarms`: the alarms as metrics of the node
 //!
 //! A node is born once it is connected and its primary host is there, if it has one: NBIRTH, then DBIRTH of each board that
 //! is there. What changes meanwhile waits, and is sent after the births as historical. Where a board is away, or has other
 //! points, its death and birth say so.
 
+mod alarms;
 mod host;
 mod payload;
 mod topics;
@@ -16,8 +18,9 @@ use crate::alarm::Alarm;
 use crate::backlog::{Backlog, MOST};
 use crate::boards::{Boards, News};
 use crate::change::Change;
-use crate::command::{Command, Refusal, Rights, WAITING};
+use crate::command::{Refusal, Rights, WAITING, Wish};
 use crate::session::{Message, Now, Out, Session};
+use alarms::Alarms;
 use host::{Host, Turn};
 use payload::{Held, Metric, Payload, datatype, time};
 use prost::Message as _;
@@ -55,6 +58,7 @@ impl Past {
 #[derive(Debug)]
 pub(crate) struct Node {
     boards: Boards,
+    alarms: Alarms,
     rights: Rights,
     topics: Topics,
     host: Host,
@@ -70,7 +74,7 @@ pub(crate) struct Node {
     past: Backlog<Past>,
     /// Entries of the journal that nobody has heard of before this gateway began: after the first of these, up to the other.
     unheard: Option<(u64, u64)>,
-    /// Commands that boards have not answered yet.
+    /// Wishes that are not done yet.
     under_way: usize,
 }
 
@@ -80,6 +84,7 @@ impl Node {
     pub fn new(site: &Site, mqtt: &Mqtt, of: &Sparkplug, first: u8, unheard: (u64, u64)) -> Node {
         Node {
             boards: Boards::new(site),
+            alarms: Alarms::new(site, mqtt.acknowledge),
             rights: Rights::new(site, mqtt),
             topics: Topics::new(of),
             host: Host::new(of.host.is_some()),
@@ -153,7 +158,8 @@ impl Node {
             timestamp: Some(time(now.at)),
             ..metric
         });
-        self.say(self.topics.node("NBIRTH"), metrics.into(), now);
+        let metrics = metrics.into_iter().chain(self.alarms.metrics(now.at));
+        self.say(self.topics.node("NBIRTH"), metrics.collect(), now);
         let names: Vec<String> = self.boards.all.iter().map(|of| of.name.clone()).collect();
         for name in names {
             self.birth_of(&name, now);
@@ -229,18 +235,30 @@ impl Node {
         self.say(self.topics.device("DDATA", board), vec![metric], now);
     }
 
+    /// How an alarm stands, told to whoever has heard the birth.
+    fn tell_alarm(&mut self, alarm: &str, now: Now) {
+        let metrics = self.alarms.metrics_of(alarm, now.at);
+        if self.is_born && !metrics.is_empty() {
+            self.say(self.topics.node("NDATA"), metrics, now);
+        }
+    }
+
+    fn carry(&mut self, wish: Wish) -> Result<(), Refusal> {
+        if self.under_way >= WAITING {
+            return Err(Refusal::TooMany);
+        }
+        self.under_way += 1;
+        self.out.push_back(Out::Carry(wish));
+        Ok(())
+    }
+
     fn command(&mut self, device: &str, metric: &Metric) -> Result<(), Refusal> {
         let name = metric.name.as_deref().ok_or(Refusal::NoValue)?;
         let board = self.boards.of(device).ok_or(Refusal::NotAllowed)?;
         let point = board.point(name).ok_or(Refusal::NotAllowed)?;
         let value = metric.number(point).ok_or(Refusal::NoValue)?;
-        let command = self.rights.command(device, name, value)?;
-        if self.under_way >= WAITING {
-            return Err(Refusal::TooMany);
-        }
-        self.under_way += 1;
-        self.out.push_back(Out::Carry(command));
-        Ok(())
+        let wish = self.rights.set(device, name, value)?;
+        self.carry(wish)
     }
 
     fn commands(&mut self, device: &str, payload: &Payload, now: Now) {
@@ -341,8 +359,10 @@ impl Session for Node {
         }
     }
 
-    /// A host of Sparkplug has alarms of its own.
-    fn alarm(&mut self, _: &Alarm) {}
+    fn alarm(&mut self, alarm: &Alarm, now: Now) {
+        self.alarms.take(alarm);
+        self.tell_alarm(&alarm.name, now);
+    }
 
     fn presence(&mut self, board: &str, up: bool, now: Now) {
         let Some(of) = self.boards.of_mut(board) else {
@@ -383,22 +403,29 @@ impl Session for Node {
         match came {
             Came::State => {}
             Came::Node => {
-                let asks = |metric: &Metric| {
-                    metric.name.as_deref() == Some(REBIRTH)
-                        && metric.value == Some(Held::Boolean(true))
-                };
-                if payload.metrics.iter().any(asks) {
+                let is_on = |metric: &&Metric| metric.value == Some(Held::Boolean(true));
+                let asked = payload.metrics.iter().filter(is_on);
+                let asked: Vec<&str> = asked.filter_map(|metric| metric.name.as_deref()).collect();
+                if asked.contains(&REBIRTH) {
                     self.birth(now);
+                }
+                for alarm in asked.into_iter().filter_map(alarms::acknowledged) {
+                    let wish = self.rights.acknowledged(alarm);
+                    if wish.and_then(|wish| self.carry(wish)).is_err() {
+                        self.tell_alarm(alarm, now);
+                    }
                 }
             }
             Came::Device(device) => self.commands(&device, &payload, now),
         }
     }
 
-    fn done(&mut self, command: &Command, outcome: Result<(), Refusal>, now: Now) {
+    fn done(&mut self, wish: &Wish, outcome: Result<(), Refusal>, now: Now) {
         self.under_way = self.under_way.saturating_sub(1);
-        if outcome.is_err() {
-            self.tell(&command.board, &command.grant.point, now);
+        match (wish, outcome) {
+            (_, Ok(())) => {}
+            (Wish::Set(command), Err(_)) => self.tell(&command.board, &command.grant.point, now),
+            (Wish::Acknowledge(alarm), Err(_)) => self.tell_alarm(alarm, now),
         }
     }
 

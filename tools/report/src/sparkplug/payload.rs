@@ -31,12 +31,12 @@ pub(crate) struct Metric {
     pub is_historical: Option<bool>,
     #[prost(bool, optional, tag = "7")]
     pub is_null: Option<bool>,
-    #[prost(oneof = "Held", tags = "10, 11, 12, 13, 14")]
+    #[prost(oneof = "Held", tags = "10, 11, 12, 13, 14, 15")]
     pub value: Option<Held>,
 }
 
 /// A value.
-#[derive(Clone, Copy, PartialEq, Oneof)]
+#[derive(Clone, PartialEq, Oneof)]
 pub(crate) enum Held {
     #[prost(uint32, tag = "10")]
     Int(u32),
@@ -48,6 +48,8 @@ pub(crate) enum Held {
     Double(f64),
     #[prost(bool, tag = "14")]
     Boolean(bool),
+    #[prost(string, tag = "15")]
+    Text(String),
 }
 
 /// Data types of Sparkplug B.
@@ -57,6 +59,7 @@ pub(crate) mod datatype {
     pub const UINT32: u32 = 7;
     pub const FLOAT: u32 = 9;
     pub const BOOLEAN: u32 = 11;
+    pub const STRING: u32 = 12;
 }
 
 impl Metric {
@@ -88,7 +91,8 @@ impl Metric {
 
     /// What a metric of a command asks for a point; none of what is no number.
     pub fn number(&self, point: &Point) -> Option<f64> {
-        Some(match self.value? {
+        Some(match *self.value.as_ref()? {
+            Held::Text(_) => return None,
             Held::Boolean(on) => f64::from(on),
             Held::Float(value) => value.into(),
             Held::Double(value) => value,

@@ -1,7 +1,7 @@
 //! Values, commands and availability, over a broker that is killed too.
 
 use crate::broker::{Broker, Listener};
-use crate::site::{Reporting, site};
+use crate::site::{HOT, Reporting, hot, site};
 use unoclp_report::Refusal;
 
 fn url(broker: &Broker) -> String {
@@ -239,4 +239,75 @@ fn home_assistant_finds_boards_once_their_points_are_known_and_again_when_it_ask
     let told: serde_json::Value = serde_json::from_str(&listener.next().text()).unwrap();
     assert_eq!(told["cmps"]["level"], serde_json::json!({ "p": "sensor" }));
     assert_eq!(told["cmps"]["I1"]["p"], "binary_sensor");
+}
+
+#[test]
+fn home_assistant_finds_alarms_as_problems_and_forgets_those_that_are_no_more() {
+    let broker = Broker::new();
+    let listener = Listener::new(&broker, "homeassistant/device/unoclp/#");
+    // A site of before had another alarm.
+    broker.publish("unoclp/$alarm/cold", b"{\"state\":\"normal\"}", &["-r"]);
+    let more = format!("home_assistant = true\nacknowledge = true\n{HOT}");
+    let reporting = Reporting::new(&site(&url(&broker), &more), None, Ok(()));
+    let told = || -> serde_json::Value { serde_json::from_str(&listener.next().text()).unwrap() };
+    let first = told();
+    let problem = &first["cmps"]["hot"];
+    assert_eq!(
+        [
+            &problem["p"],
+            &problem["device_class"],
+            &problem["state_topic"]
+        ],
+        ["binary_sensor", "problem", "unoclp/$alarm/hot"]
+    );
+    let button = &first["cmps"]["hot$acknowledge"];
+    assert_eq!(
+        [
+            &button["p"],
+            &button["command_topic"],
+            &button["payload_press"]
+        ],
+        ["button", "unoclp/$alarm/hot/acknowledge", "true"]
+    );
+    let second = told();
+    assert_eq!(
+        second["cmps"]["cold"],
+        serde_json::json!({ "p": "binary_sensor" })
+    );
+    assert_eq!(&second["cmps"]["hot"], problem);
+    // What Home Assistant says where its button is pressed.
+    broker.publish("unoclp/$alarm/hot/acknowledge", b"true", &[]);
+    assert_eq!(reporting.acknowledged.recv().unwrap(), "hot");
+}
+
+#[test]
+fn an_alarm_is_acknowledged_where_the_site_lets_it_and_refused_elsewhere() {
+    for (more, outcome, sent) in [
+        (
+            "acknowledge = true\n",
+            Err(Refusal::Nothing),
+            &[
+                ("hot", "0", "no value"),
+                ("hot", "please", "no value"),
+                ("cold", "true", "no alarm"),
+                ("hot", "1", "nothing to acknowledge"),
+            ][..],
+        ),
+        ("", Ok(()), &[("hot", "true", "not allowed")][..]),
+    ] {
+        let broker = Broker::new();
+        let listener = Listener::new(&broker, "unoclp/$alarm/$refused");
+        broker.publish("unoclp/$alarm/hot/acknowledge", b"true", &["-r"]);
+        let of_site = site(&url(&broker), &format!("{more}{HOT}"));
+        let reporting = Reporting::new(&of_site, None, outcome);
+        reporting.reporter.alarm(&hot("active", 5));
+        let refused = |alarm, why| format!(r#"{{"alarm":"{alarm}","why":"{why}"}}"#);
+        assert_eq!(listener.next().text(), refused("hot", "retained"));
+        for (alarm, payload, why) in sent {
+            let topic = format!("unoclp/$alarm/{alarm}/acknowledge");
+            broker.publish(&topic, payload.as_bytes(), &[]);
+            assert_eq!(listener.next().text(), refused(alarm, why), "{payload}");
+        }
+        assert_eq!(reporting.acknowledged.try_recv().is_ok(), outcome.is_err());
+    }
 }

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 use tempfile::TempDir;
 use unoclp_journal::{File, Journal, Policy, Sample};
-use unoclp_report::{Carry, Command, Refusal, Reporter, State, Tell};
+use unoclp_report::{Alarm, Carry, Command, Refusal, Reporter, State, Tell, Wish};
 use unoclp_site::{Files, Site, read};
 
 struct Folder;
@@ -34,6 +34,7 @@ pub struct Reporting {
     pub journal: Journal,
     folder: Arc<TempDir>,
     pub commands: Receiver<Command>,
+    pub acknowledged: Receiver<String>,
     pub told: Receiver<Option<String>>,
 }
 
@@ -57,6 +58,7 @@ impl Reporting {
         outcome: Result<(), Refusal>,
     ) -> Reporting {
         let (send, commands) = channel();
+        let (acknowledge, acknowledged) = channel();
         let (tell, told) = channel();
         let mqtt = site.mqtt.as_ref().unwrap();
         let policy = Policy {
@@ -66,13 +68,14 @@ impl Reporting {
         let file = File::open(&folder.path().join("j")).unwrap();
         let readers = Reporter::readers(mqtt);
         let journal = Journal::begin(file, policy, &readers, Box::new(|_| ())).unwrap();
-        let carry = carry(send, outcome);
+        let carry = carry(send, acknowledge, outcome);
         let begun = Reporter::begin(site, mqtt, ca, &journal, carry, telling(tell));
         Reporting {
             reporter: begun.unwrap_or_else(|why| panic!("{why:?}")),
             journal,
             folder,
             commands,
+            acknowledged,
             told,
         }
     }
@@ -100,11 +103,18 @@ impl Reporting {
     }
 }
 
-fn carry(send: Sender<Command>, outcome: Result<(), Refusal>) -> Carry {
-    let send = Mutex::new(send);
-    Arc::new(move |command, done| {
+fn carry(
+    send: Sender<Command>,
+    acknowledged: Sender<String>,
+    outcome: Result<(), Refusal>,
+) -> Carry {
+    let (send, acknowledged) = (Mutex::new(send), Mutex::new(acknowledged));
+    Arc::new(move |wish, done| {
         // After the end of the test nobody listens.
-        let _ = send.lock().unwrap().send(command);
+        match wish {
+            Wish::Set(command) => drop(send.lock().unwrap().send(command)),
+            Wish::Acknowledge(alarm) => drop(acknowledged.lock().unwrap().send(alarm)),
+        }
         done(outcome);
     })
 }
@@ -115,4 +125,21 @@ fn telling(send: Sender<Option<String>>) -> Tell {
         let told = trouble.map(|why| format!("{why:?}"));
         let _ = send.lock().unwrap().send(told);
     })
+}
+
+/// The alarm `hot`, and how it stands.
+pub const HOT: &str = "[[alarm]]\nname = \"hot\"\nwhen = \"tank.level > 80.0\"\ntext = \"hot\"\n";
+
+pub fn hot(state: &'static str, since: i64) -> Alarm {
+    Alarm {
+        name: "hot".into(),
+        state,
+        severity: "high",
+        text: unoclp_site::Text {
+            en: "hot".into(),
+            pt: "quente".into(),
+        },
+        since: Some(since),
+        who: None,
+    }
 }

@@ -1,7 +1,7 @@
 //! An edge node of Sparkplug B, as pysparkplug reads it from mosquitto.
 
 use crate::broker::{Broker, Heard, Listener};
-use crate::site::{Reporting, site};
+use crate::site::{HOT, Reporting, hot, site};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::process::{Command, Stdio};
@@ -262,4 +262,44 @@ fn a_host_sets_what_the_site_lets_it_set() {
         json!({ "valve": ["BOOLEAN", true, false, false] })
     );
     assert!(reporting.commands.try_recv().is_err());
+}
+
+#[test]
+fn alarms_are_metrics_of_the_node_and_a_host_acknowledges_them() {
+    let broker = Broker::new();
+    let listener = Listener::new(&broker, "spBv1.0/lab/#");
+    let sparkplug = "sparkplug = { group = \"lab\", node = \"room\" }\n";
+    let reporting = begin(
+        &broker,
+        &format!("acknowledge = true\n{sparkplug}{HOT}"),
+        Ok(()),
+    );
+    reporting.until(|state| state.connected == 2);
+    let birth = listener.next_at("NBIRTH/room");
+    reporting.reporter.alarm(&hot("active", 5));
+    let told = decoded(&[birth, listener.next_at("NDATA/room")]);
+    let [state, active, acknowledge] =
+        ["State", "Active", "Acknowledge"].map(|end| format!("Alarms/hot/{end}"));
+    let born = &told[0]["metrics"];
+    assert_eq!(born[&state], json!(["STRING", null, false, true]));
+    assert_eq!(born[&acknowledge], json!(["BOOLEAN", false, false, false]));
+    let now = &told[1]["metrics"];
+    assert_eq!(now[&state], json!(["STRING", "active", false, false]));
+    assert_eq!(now[&active], json!(["BOOLEAN", true, false, false]));
+    let topic = "spBv1.0/lab/NCMD/room";
+    broker.publish(topic, &command(&acknowledge, "BOOLEAN", "true"), &[]);
+    assert_eq!(reporting.acknowledged.recv().unwrap(), "hot");
+    drop(reporting);
+    // Where the site does not let it, there is no such metric, and the host is told how the alarm stands.
+    let reporting = begin(&broker, &format!("{sparkplug}{HOT}"), Ok(()));
+    reporting.until(|state| state.connected == 2);
+    let birth = listener.next_at("NBIRTH/room");
+    reporting.reporter.alarm(&hot("gone", 6));
+    let gone = listener.next_at("NDATA/room");
+    broker.publish(topic, &command(&acknowledge, "BOOLEAN", "true"), &[]);
+    let told = decoded(&[birth, gone, listener.next_at("NDATA/room")]);
+    assert_eq!(told[0]["metrics"].get(&acknowledge), None);
+    assert_eq!(told[2]["metrics"], told[1]["metrics"]);
+    assert_eq!(told[2]["metrics"][&active][1], false);
+    assert!(reporting.acknowledged.try_recv().is_err());
 }

@@ -4,8 +4,8 @@ use super::answers::{AlarmNow, AlarmPast, DeedOf, Done, Texts};
 use super::gate::{Api, Caller};
 use super::past::{MOST, No, ROWS, ms};
 use crate::guard::Who;
+use crate::orders;
 use serde::Deserialize;
-use std::sync::Arc;
 use unoclp_alarm::{NotDone, Standing};
 use unoclp_record::{Deed, Happening, now};
 use unoclp_site::{Role as May, duration};
@@ -39,6 +39,7 @@ impl Api {
                 en: of.text.en,
                 pt: of.text.pt,
             },
+            boards: of.boards,
             since: of.since,
             who: of.who,
         };
@@ -72,15 +73,12 @@ impl Api {
             return Err(No::Role);
         }
         let asked: Acknowledged = serde_json::from_slice(body).map_err(|_| No::Value)?;
-        let alarms = self.alarms.clone().ok_or(No::Alarm)?;
-        let (name, by) = (asked.alarm.clone(), Arc::clone(&who.name));
-        let done = tokio::task::spawn_blocking(move || alarms.acknowledge(&name, &by));
-        let state = match done.await {
-            Ok(Ok(state)) => state,
-            Ok(Err(NotDone::NoAlarm)) => return Err(No::Alarm),
-            Ok(Err(NotDone::Nothing)) => return Err(No::Acknowledged),
-            Ok(Err(NotDone::Ended)) | Err(_) => return Err(No::Failing),
-        };
+        let done = orders::acknowledge(self.alarms.clone(), &asked.alarm, &who.name).await;
+        let state = done.map_err(|why| match why {
+            NotDone::NoAlarm => No::Alarm,
+            NotDone::Nothing => No::Acknowledged,
+            NotDone::Ended => No::Failing,
+        })?;
         if let Some(first) = self.gateways.first() {
             first.deeds.acknowledged(&who, from, &asked.alarm);
             first.deeds.settle().await;

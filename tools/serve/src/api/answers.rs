@@ -88,6 +88,8 @@ pub(crate) struct AlarmNow {
     pub severity: &'static str,
     /// What is said of it.
     pub text: Texts,
+    /// The boards whose points its condition reads.
+    pub boards: Vec<String>,
     /// Since when it stands so, ms since 1970; null where that was always so.
     pub since: Option<i64>,
     /// Who has acknowledged it last.
@@ -131,7 +133,7 @@ pub(crate) struct DeedOf {
     pub from: Option<String>,
     /// To which board, or alarm.
     pub of: String,
-    /// What: `run`, `stop`, `single scan`, `restart`, `force`, `write`, `settings`, `upload`, `acknowledge`.
+    /// What: `run`, `stop`, `single scan`, `restart`, `force`, `write`, `release`, `settings`, `upload`, `acknowledge`.
     pub what: String,
     /// Where, and with which values.
     pub detail: String,
@@ -240,6 +242,6 @@ pub(crate) struct Done {
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct Wrong {
     /// One of `no history`, `no point`, `no time`, `no number`, `no value`, `no alarm`, `no record`, `not allowed`,
-    /// `nothing to acknowledge`, `not on a panel`, `controlled`, `other program`, `away`, `busy`, `failing`.
+    /// `nothing to acknowledge`, `not on a panel`, `not held`, `controlled`, `other program`, `away`, `busy`, `failing`.
     pub why: &'static str,
 }

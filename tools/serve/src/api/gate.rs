@@ -8,6 +8,7 @@ use super::text::{JSON, guarded, text, wrong};
 use crate::doors::{self, Door};
 use crate::gateway::Gateway;
 use crate::guard::{Stays, Who};
+use crate::holding::Holding;
 use axum::body::Body;
 use axum::extract::{Request, State};
 use axum::http::header::AUTHORIZATION;
@@ -45,6 +46,7 @@ pub(crate) struct Api {
     pub archive: Archive,
     pub alarms: Option<Arc<Alarms>>,
     pub sheets: Sheets,
+    pub holding: Arc<Holding>,
 }
 
 /// The address that a request comes from.

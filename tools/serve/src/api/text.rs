@@ -61,7 +61,7 @@ pub(super) fn wrong(no: No) -> Response<Body> {
         No::Time | No::Number | No::Value => StatusCode::BAD_REQUEST,
         No::History | No::Point | No::Alarm | No::Record | No::Panel => StatusCode::NOT_FOUND,
         No::Role => StatusCode::FORBIDDEN,
-        No::Acknowledged | No::Controlled | No::Program => StatusCode::CONFLICT,
+        No::Acknowledged | No::Held | No::Controlled | No::Program => StatusCode::CONFLICT,
         No::Away | No::Busy | No::Failing => StatusCode::SERVICE_UNAVAILABLE,
     };
     let kind = HeaderValue::from_static(JSON);

@@ -1,0 +1,305 @@
+//! What the pages say.
+
+use super::figures::{Line, Measured, Scale, Trend};
+
+/// The language of a page.
+#[derive(Clone, Copy)]
+pub(super) enum Lang {
+    En,
+    Pt,
+}
+
+/// A row: what, the figure, the target, whether it is met.
+struct Row {
+    what: String,
+    figure: String,
+    target: &'static str,
+    is_met: Option<bool>,
+}
+
+/// The page in this language.
+pub(super) fn page(measured: &Measured, lang: Lang) -> String {
+    let words = Words { lang };
+    let rows: String = rows(measured, &words)
+        .iter()
+        .map(|row| {
+            let met = match row.is_met {
+                Some(true) => words.of("met", "atingida"),
+                Some(false) => words.of("**not met**", "**não atingida**"),
+                None => "",
+            };
+            let (what, figure, target) = (&row.what, &row.figure, row.target);
+            format!("| {what} | {figure} | {target} | {met} |\n")
+        })
+        .collect();
+    let [begin, end] = measured.load.map(|load| words.number(load, 1));
+    let processors = measured.processors;
+    let tail = words
+        .of(ENGLISH, PORTUGUESE)
+        .replace("{begin}", &begin)
+        .replace("{end}", &end)
+        .replace("{processors}", &processors.to_string());
+    format!("{}{rows}{tail}", words.of(ENGLISH_HEAD, PORTUGUESE_HEAD))
+}
+
+struct Words {
+    lang: Lang,
+}
+
+impl Words {
+    fn of<'t>(&self, english: &'t str, portuguese: &'t str) -> &'t str {
+        match self.lang {
+            Lang::En => english,
+            Lang::Pt => portuguese,
+        }
+    }
+
+    fn number(&self, of: f64, digits: usize) -> String {
+        let text = format!("{of:.digits$}");
+        match self.lang {
+            Lang::En => text,
+            Lang::Pt => text.replace('.', ","),
+        }
+    }
+}
+
+fn rows(measured: &Measured, words: &Words) -> Vec<Row> {
+    let Measured {
+        scale,
+        few,
+        node_red,
+        lines,
+        trend,
+        ..
+    } = measured;
+    let mut rows = Vec::from(many(scale, words));
+    rows.extend(beside(few, node_red, words));
+    rows.extend(lines.iter().map(|of| line(of, words)));
+    rows.extend(past(trend, words));
+    rows
+}
+
+/// A thousand boards.
+fn many(scale: &Scale, words: &Words) -> [Row; 3] {
+    let Scale {
+        boards,
+        up,
+        gateways,
+        ..
+    } = scale;
+    [
+        Row {
+            what: words
+                .of(
+                    "simulated boards of 32 points, each read twice a second: processors in use",
+                    "placas simuladas de 32 pontos, cada uma lida duas vezes por segundo: processadores em uso",
+                )
+                .to_owned(),
+            figure: format!(
+                "{} ({up}/{boards}, {gateways} gateways)",
+                words.number(scale.core, 2)
+            ),
+            target: "≤ 1",
+            is_met: Some(scale.core <= 1.0 && up == boards),
+        },
+        Row {
+            what: words
+                .of(
+                    "the same: memory of all gateways",
+                    "o mesmo: memória de todos os gateways",
+                )
+                .to_owned(),
+            figure: format!("{} MB", words.number(scale.megabytes, 0)),
+            target: "≤ 200 MB",
+            is_met: Some(scale.megabytes <= 200.0),
+        },
+        Row {
+            what: words
+                .of(
+                    "the same: points read a second",
+                    "o mesmo: pontos lidos por segundo",
+                )
+                .to_owned(),
+            figure: words.number(scale.readings, 0),
+            target: "64000",
+            // Each of them twice a second, but for what a machine at its work delays.
+            is_met: Some(scale.readings >= f64::from(*boards) * 32.0 * 2.0 * 0.98),
+        },
+    ]
+}
+
+/// The same points of a hundred boards, read by unoclp and by Node-RED.
+fn beside(few: &Scale, node_red: &Scale, words: &Words) -> [Row; 3] {
+    let figure = |of: &Scale| {
+        format!(
+            "{} ({}/s, {} MB)",
+            words.number(of.per_processor_second, 0),
+            words.number(of.readings, 0),
+            words.number(of.megabytes, 0)
+        )
+    };
+    let what = |of: &Scale, name: &str| {
+        let boards = of.boards;
+        match words.lang {
+            Lang::En => {
+                format!("{boards} boards: points that {name} reads for each second of a processor")
+            }
+            Lang::Pt => format!("{boards} placas: pontos que {name} lê por segundo de processador"),
+        }
+    };
+    let times = few.per_processor_second / node_red.per_processor_second;
+    [
+        Row {
+            what: what(few, "unoclp"),
+            figure: figure(few),
+            target: "–",
+            is_met: None,
+        },
+        Row {
+            what: what(node_red, "Node-RED"),
+            figure: figure(node_red),
+            target: "–",
+            is_met: None,
+        },
+        Row {
+            what: words
+                .of("so many times as many", "tantas vezes mais")
+                .to_owned(),
+            figure: words.number(times, 1),
+            target: "≥ 5",
+            is_met: Some(times >= 5.0),
+        },
+    ]
+}
+
+fn line(of: &Line, words: &Words) -> Row {
+    let Line {
+        boards, up, rate, ..
+    } = of;
+    let percent = |part: f64| format!("{} %", words.number(100.0 * part, 1));
+    let (used, bytes) = (percent(of.used), percent(of.bytes));
+    let readings = words.number(of.readings, 0);
+    let (what, figure) = match words.lang {
+        Lang::En => (
+            format!("a line of {boards} boards at {rate} bits a second: its time that is used"),
+            format!("{used} ({up}/{boards}, bytes alone {bytes}, {readings} boards a second)"),
+        ),
+        Lang::Pt => (
+            format!("uma linha de {boards} placas a {rate} bits por segundo: o tempo dela em uso"),
+            format!("{used} ({up}/{boards}, só bytes {bytes}, {readings} placas por segundo)"),
+        ),
+    };
+    Row {
+        what,
+        figure,
+        target: "≥ 90 %",
+        is_met: Some(of.used >= 0.9 && up == boards),
+    }
+}
+
+fn past(trend: &Trend, words: &Words) -> [Row; 2] {
+    let millions = trend.samples as f64 / 1e6;
+    let rate = trend.samples as f64 / trend.seconds;
+    [
+        Row {
+            what: format!(
+                "{} {}",
+                words.number(millions, 0),
+                words.of(
+                    "million samples written to SQLite: samples a second",
+                    "milhões de amostras gravadas em SQLite: amostras por segundo"
+                )
+            ),
+            figure: format!(
+                "{} ({} s, {} GB)",
+                words.number(rate, 0),
+                words.number(trend.seconds, 0),
+                words.number(trend.bytes as f64 / 1e9, 1)
+            ),
+            target: "–",
+            is_met: None,
+        },
+        Row {
+            what: words
+                .of(
+                    "a trend of 30 days in that history: the longest of 25",
+                    "uma tendência de 30 dias nesse histórico: a mais longa de 25",
+                )
+                .to_owned(),
+            figure: format!(
+                "{} ms ({} {} ms, {} {})",
+                words.number(trend.longest, 0),
+                words.of("median", "mediana"),
+                words.number(trend.median, 0),
+                trend.rows,
+                words.of("steps", "passos")
+            ),
+            target: "≤ 200 ms",
+            is_met: Some(trend.longest <= 200.0),
+        },
+    ]
+}
+
+const ENGLISH_HEAD: &str = "# Benchmarks of a site
+
+*[Leia em português](site-benchmarks.pt-BR.md)*
+
+This page is written by a program: do not edit it, repeat it.
+
+```
+cargo xtask bench --site
+```
+
+| what | measured | target | |
+| --- | ---: | ---: | --- |
+";
+
+const PORTUGUESE_HEAD: &str = "# Medições de uma instalação
+
+*[Read in English](site-benchmarks.md)*
+
+Esta página é escrita por um programa: não a edite, repita a medição.
+
+```
+cargo xtask bench --site
+```
+
+| o quê | medido | meta | |
+| --- | ---: | ---: | --- |
+";
+
+const ENGLISH: &str = "
+- **The machine.** It has {processors} processors, and the boards are simulated on it too. On average {begin} programs wanted a processor in
+  the minute before, and {end} at the end: beside other work the figures are worse.
+- **Boards.** A process simulates them behind Modbus TCP, twenty on each line (`tools/cli/examples/scale`). A gateway has 200 of
+  them, as Modbus has 247 units at most; the figures are those of all gateways together. Four of 32 points change from reading to reading,
+  and the history in SQLite takes each change. With each reading a gateway asks whether the board keeps its program still.
+- **Node-RED** 4 with node-red-contrib-modbus 5 reads the same boards at the same pace, one after unoclp in one run: of each board its
+  values and its outputs, by two *Modbus Read* nodes, and a function makes numbers of the registers. It keeps nothing, and does not ask
+  which program the board has. Its nodes use npm's `modbus-serial` in place of their makers' copy, which npm does not have.
+- **A line** is a pseudo-terminal on which each byte takes as long as on wires. Each board is wanted every 10 ms, which no line can do: so
+  somebody always waits for it. *Used* is the time of bytes and of the silences of 3.5 characters that Modbus wants before each answer
+  and each request. Where the system lets it, gateway and line run before what else the machine does (`nice -n -19`).
+- **Trend.** A thousand points change evenly over 30 days (`tools/history/examples/trend.rs`), and are written in the order of time. A
+  trend is the least, the most and the last of each of 600 steps of one point. Each is of another point, and nobody writes meanwhile. It
+  reads all samples of its point, so it takes longer for a point that changes more often.
+- **Not measured here:** PostgreSQL.
+";
+
+const PORTUGUESE: &str = "
+- **A máquina** tem {processors} processadores, e as placas também são simuladas nela. Em média {begin} programas queriam um processador no
+  minuto anterior, e {end} no fim: ao lado de outro trabalho os números pioram.
+- **Placas.** Um processo as simula por Modbus TCP, vinte em cada linha (`tools/cli/examples/scale`). Um gateway tem 200 delas, pois o
+  Modbus tem no máximo 247 unidades; os números são os de todos os gateways juntos. Quatro de 32 pontos mudam de leitura a leitura, e o
+  histórico em SQLite recebe cada mudança. A cada leitura o gateway pergunta se a placa ainda tem o seu programa.
+- **O Node-RED** 4 com node-red-contrib-modbus 5 lê as mesmas placas no mesmo ritmo, depois do unoclp e na mesma execução: de cada placa
+  os valores e as saídas, por dois nós *Modbus Read*, e uma função faz números dos registradores. Ele não guarda nada, e não pergunta que
+  programa a placa tem. Os nós usam o `modbus-serial` do npm no lugar da cópia de seus autores, que o npm não tem.
+- **Uma linha** é um pseudoterminal em que cada byte leva o tempo que leva nos fios. Cada placa é pedida a cada 10 ms, o que nenhuma linha
+  alcança: assim sempre há alguém à espera. *Em uso* é o tempo dos bytes e dos silêncios de 3,5 caracteres que o Modbus pede antes de cada
+  resposta e de cada pergunta. Onde o sistema deixa, gateway e linha passam na frente do resto da máquina (`nice -n -19`).
+- **Tendência.** Mil pontos mudam por igual ao longo de 30 dias (`tools/history/examples/trend.rs`), gravados na ordem do tempo. Uma
+  tendência é o menor, o maior e o último valor de cada um de 600 passos de um ponto. Cada uma é de outro ponto, e ninguém grava ao mesmo
+  tempo. Ela lê todas as amostras do ponto, e leva mais tempo para um ponto que muda mais vezes.
+- **Não medido aqui:** o PostgreSQL.
+";
