@@ -61,7 +61,7 @@ mod whole;
 mod words;
 
 pub use adapt::{Adapted, adapt, adapt_at, written_points};
-pub use back::{instructions_to_il, to_il};
+pub use back::{instructions_to_il, spelled, to_il};
 pub use code::{CompiledText, Held, Holding, Shows, Trace, Variable, compile_text, literal};
 pub use colour::Colour;
 pub use colours::{colours, colours_of_list};

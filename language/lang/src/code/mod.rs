@@ -82,7 +82,7 @@ use crate::typed::{Tree, UnitKind};
 use std::collections::HashSet;
 use std::sync::Arc;
 pub use traces::{Shows, Trace};
-use unoclp_checked::{Checked, SourceMap};
+use unoclp_checked::{Checked, SourceMap, Work};
 use unoclp_core::Board;
 pub use variables::{Held, Holding, Variable, literal};
 
@@ -165,6 +165,7 @@ pub(crate) fn compile_tree(
     board: Board,
     mut found: Found,
 ) -> CompiledText {
+    Work::note(|work| work.compiles += 1);
     let mut made = CompiledText::default();
     if let Some(tree) = &tree {
         lower(text, tree, written, board, &mut found, &mut made);
