@@ -26,6 +26,8 @@ enum Target {
     Modbus,
     /// Damaged cards
     Card,
+    /// What a page asks
+    Asks,
 }
 
 impl Target {
@@ -36,6 +38,7 @@ impl Target {
             Target::Typed => "typed",
             Target::Modbus => "modbus",
             Target::Card => "card",
+            Target::Asks => "asks",
         }
     }
 }

@@ -3,6 +3,7 @@
 //! Owns that memory, and the one way into it: [`Loader`]. Must not know where a file comes from, nor what is
 //! done with its program.
 
+use crate::Work;
 use self_cell::{MutBorrow, self_cell};
 use std::fmt;
 use unoclp_core::{Board, Fault, Loader, Program};
@@ -25,6 +26,7 @@ impl Checked {
     /// # Errors
     /// The first fault of the file.
     pub fn new(board: Board, feed: impl FnOnce(&mut Loader<'_>)) -> Result<Checked, Fault> {
+        Work::note(|work| work.passes += 1);
         let memory = MutBorrow::new(vec![0; board.plc_bytes()]);
         let owned = Owned::try_new(memory, |memory| {
             let mut loader = Loader::new(memory.borrow_mut(), board);
@@ -42,6 +44,17 @@ impl Checked {
         Checked::new(board, |loader| {
             // The loader itself keeps the fault.
             let _ = file.iter().try_for_each(|&byte| loader.push(byte));
+        })
+    }
+
+    /// The same program in memory of its own, to run it there while this one is looked at: its stored form is read again.
+    ///
+    /// # Errors
+    /// None that the program did not have before.
+    pub fn copy(&self) -> Result<Checked, Fault> {
+        let program = self.program();
+        Checked::new(program.board(), |loader| {
+            let _ = loader.restore(&mut program.stored().iter().copied());
         })
     }
 

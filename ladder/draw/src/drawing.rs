@@ -6,6 +6,7 @@ use crate::power::Power;
 use crate::wrap::Wrap;
 use crate::{Element, Ladder, Names};
 use std::fmt;
+use unoclp_checked::Work;
 
 /// The narrowest drawing: the longest box between the rails, with room to go on after it.
 pub const NARROWEST: usize = 56;
@@ -49,6 +50,7 @@ impl Ladder {
 
 impl<'l> Drawing<'l> {
     fn new(ladder: &'l Ladder, style: &Style<'_>) -> Drawing<'l> {
+        Work::note(|work| work.drawings += 1);
         let face = |element: &Element| {
             let live = element.steps.last().and_then(|&step| (style.live)(step));
             Face::new(element, style.names, live)

@@ -84,7 +84,7 @@ use places::Places;
 use std::collections::HashSet;
 use std::sync::Arc;
 pub use traces::{Shows, Trace};
-use unoclp_checked::{Checked, SourceMap};
+use unoclp_checked::{Checked, SourceMap, Work};
 use unoclp_core::Board;
 use unoclp_text::Dialect;
 use unoclp_text::comments::{self, Comments};
@@ -166,6 +166,7 @@ pub fn compile_tree(
     board: Board,
     mut found: Found,
 ) -> CompiledText {
+    Work::note(|work| work.compiles += 1);
     let mut made = CompiledText::default();
     if let Some(tree) = &tree {
         lower(text, tree, written, board, &mut found, &mut made);

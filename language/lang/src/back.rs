@@ -59,6 +59,12 @@ pub fn instructions_to_il<'c>(
     write(&rungs).0
 }
 
+/// Likewise, but that nobody has compiled it yet: what does not compile to these instructions again takes
+/// [`instructions_to_il`].
+pub fn spelled<'c>(steps: impl Iterator<Item = Instruction<'c>>) -> String {
+    write(&split(steps)).0
+}
+
 /// A rung, and how it may be written.
 struct Rung {
     /// Its codes, with NL where it begins with one.

@@ -41,7 +41,7 @@ mod words;
 use unoclp_text::{colour, comments, diagnostics, dialect, literal, points, scanner};
 
 pub use adapt::{Adapted, adapt, adapt_at, written_points};
-pub use back::{instructions_to_il, to_il};
+pub use back::{instructions_to_il, spelled, to_il};
 pub use colour::Colour;
 pub use colours::{colours, colours_of_list};
 pub use compile::{Compiled, Options, compile, compile_untyped};

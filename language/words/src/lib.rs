@@ -14,6 +14,24 @@ pub enum Lang {
     Pt,
 }
 
+/// A text in both languages.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Both {
+    /// English.
+    pub en: String,
+    /// Brazilian Portuguese.
+    pub pt: String,
+}
+
+/// What is said in each language.
+pub fn both(say: impl Fn(Lang) -> String) -> Both {
+    Both {
+        en: say(Lang::En),
+        pt: say(Lang::Pt),
+    }
+}
+
 /// Makes a function of each row `name(value, …) "English" "Portuguese";`, and for tests the table `ALL` of name, English
 /// and Portuguese, which [`gaps`] looks through.
 ///

@@ -3,18 +3,17 @@
 use crate::given::Given;
 #[cfg(feature = "full")]
 use crate::given::wrong;
-use crate::program::Text;
-#[cfg(feature = "full")]
-use crate::words::both;
-use crate::words::{Both, No};
+use crate::program;
+use crate::words::{self, Both, No, both};
 use serde::Serialize;
-use unoclp_draw::{Ladder, Style, to_screen};
+use unoclp_draw::{Style, to_screen};
 use unoclp_exercise::live::{Boxes, Flow};
 use unoclp_host_sim::engine::Machine;
 use unoclp_program::list::title;
 #[cfg(feature = "full")]
 use unoclp_program::list::{Form, Lost, Paper, list, pages, plcopen, svg};
-use unoclp_program::{Lang, Source, names};
+use unoclp_program::{Lang, Source};
+use unoclp_workspace::Analysis;
 
 /// The language of what is drawn.
 #[derive(Clone, Copy, Debug)]
@@ -95,25 +94,36 @@ pub struct Drawn {
 ///
 /// # Errors
 /// Where there is no program.
-pub fn ladder(text: Text, width: usize, speak: Speak) -> Result<Drawn, No> {
-    let source = text.program()?;
-    let svg = screen(source, width.min(WIDEST), speak.into());
+pub fn ladder(analysis: &Analysis, width: usize, speak: Speak) -> Result<Drawn, No> {
+    let source = program::source(analysis)?;
+    let (Some(ladder), Some(names)) = (analysis.ladder(), analysis.names()) else {
+        return Err(both(words::faulty).into());
+    };
+    let start = start(source);
+    let boxes = Boxes::new(source.program());
+    let drawing = ladder.draw(&Style {
+        width: width.min(WIDEST),
+        names,
+        live: &|step| boxes.text(step, &start),
+    });
+    let svg = to_screen(
+        &drawing,
+        &source.map,
+        names,
+        &title(speak.into()),
+        &source.name,
+    );
     Ok(Drawn { svg })
 }
 
-/// Boxes are as wide as what they count may become.
-fn screen(source: Source, width: usize, lang: Lang) -> String {
-    let ladder = Ladder::new(source.program().steps());
-    let names = names(&source.map, &ladder);
-    let boxes = Boxes::new(source.program());
+/// What its timers and counters are before the first scan: boxes are as wide as what they count may become.
+fn start(source: &Source) -> Flow {
     let mut start = Flow::default();
-    start.look(Machine::new(source.checked).plc(), 0);
-    let drawing = ladder.draw(&Style {
-        width,
-        names: &names,
-        live: &|step| boxes.text(step, &start),
-    });
-    to_screen(&drawing, &source.map, &names, &title(lang), &source.name)
+    let boxes = Boxes::new(source.program());
+    if let (Some(_), Ok(copy)) = (boxes.steps().next(), source.checked.copy()) {
+        start.look(Machine::new(copy).plc(), 0);
+    }
+    start
 }
 
 /// The widest drawing, columns.
@@ -122,32 +132,27 @@ const WIDEST: usize = 400;
 /// A program as text.
 ///
 /// # Errors
-/// Where there is no program, or Structured Text or PLCopen XML has no words for it.
+/// Where Structured Text or PLCopen XML has no words for it.
 #[cfg(feature = "full")]
-pub fn listed(text: Text, form: As, width: usize, speak: Speak) -> Result<String, No> {
-    let source = text.program()?;
+pub fn listed(source: &Source, form: As, width: usize, speak: Speak) -> Result<String, No> {
     let width = width.min(WIDEST);
     let form = match form {
         As::Ladder => Form::Ladder,
         As::Il => Form::Il,
         As::St => Form::St,
         As::Numeric => Form::Numeric,
-        As::Svg => return Ok(svg(&source, width, speak.into())),
-        As::Xml => return plcopen(&source).map_err(|lost| both(|lang| told(&lost, lang)).into()),
+        As::Svg => return Ok(svg(source, width, speak.into())),
+        As::Xml => return plcopen(source).map_err(|lost| both(|lang| told(&lost, lang)).into()),
     };
-    list(&source, form, width, speak.into())
+    list(source, form, width, speak.into())
         .map_err(|refused| both(|lang| refused.message(lang)).into())
 }
 
 /// A program on pages of paper, each an SVG document.
-///
-/// # Errors
-/// Where there is no program.
 #[cfg(feature = "full")]
-pub fn paged(text: Text, letter: bool, width: usize, speak: Speak) -> Result<Vec<String>, No> {
-    let source = text.program()?;
+pub fn paged(source: &Source, letter: bool, width: usize, speak: Speak) -> Vec<String> {
     let paper = if letter { Paper::Letter } else { Paper::A4 };
-    Ok(pages(&source, width.min(WIDEST), paper, None, speak.into()))
+    pages(source, width.min(WIDEST), paper, None, speak.into())
 }
 
 /// What a project cannot say, a line for each.

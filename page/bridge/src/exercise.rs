@@ -1,7 +1,6 @@
 //! Exercises: what they ask of a student, and whether a program does it.
 
 use crate::machine::plant;
-use crate::program::Text;
 use crate::words::{self, Both, No, both};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -15,7 +14,7 @@ use unoclp_exercise::scenario::{self, Case, Exercise, ProgramFile, Verdict, grad
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_plant::Plant;
 use unoclp_point::Address;
-use unoclp_program::{Lang, WrittenIn, drawn};
+use unoclp_program::{Lang, Source, WrittenIn, drawn};
 
 /// What an exercise says of itself.
 #[derive(Debug, Serialize)]
@@ -130,12 +129,6 @@ struct Unmet {
     to: u32,
 }
 
-impl From<&scenario::Both> for Both {
-    fn from(told: &scenario::Both) -> Both {
-        both(|lang| told.text(lang).to_owned())
-    }
-}
-
 impl From<&Case> for Told {
     fn from(case: &Case) -> Told {
         Told {
@@ -197,15 +190,14 @@ fn begin(exercise: &Exercise, lang: Lang) -> String {
 /// Runs a program through the cases of an exercise, and through the script of its machine.
 ///
 /// # Errors
-/// Where there is no program, or the file of the exercise or of the machine is wrong.
+/// Where the file of the exercise or of the machine is wrong.
 pub fn exercise(
-    text: Text,
+    source: &Source,
     name: &str,
     scenario: &str,
     machine: Option<(String, String)>,
 ) -> Result<Outcome, No> {
-    let board = text.board;
-    let source = text.program()?;
+    let board = source.board();
     let exercise = read(name, scenario, board)?;
     if let Some(given) = &exercise.given
         && given.answer_in != source.language.written_in()
@@ -214,8 +206,8 @@ pub fn exercise(
         return Err(both(|lang| words::other_language(lang, language)).into());
     }
     let program = ProgramFile {
-        name: source.name,
-        bytes: source.code,
+        name: source.name.clone(),
+        bytes: source.code.clone(),
     };
     let machine = match machine {
         Some((name, text)) => {
@@ -267,20 +259,24 @@ fn fared(plant: &Plant, seeds: &[u32], program: &[u8]) -> Fared {
 /// Whether a program does what the rules of a machine ask, through its script.
 ///
 /// # Errors
-/// Where there is no program, or no machine.
-pub fn trial(text: Text, name: &str, machine: &str) -> Result<Fared, No> {
-    let plant = plant(name, machine, text.board)?;
-    Ok(fared(&plant, &[], &text.program()?.code))
+/// Where there is no machine.
+pub fn trial(source: &Source, name: &str, machine: &str) -> Result<Fared, No> {
+    let plant = plant(name, machine, source.board())?;
+    Ok(fared(&plant, &[], &source.code))
 }
 
 /// A number for all that a machine is with a program in each of so many ms: the same everywhere.
 ///
 /// # Errors
-/// Where there is no program or no machine, or the program ends before.
-pub fn trace(text: Text, name: &str, machine: &str, span: u64) -> Result<String, No> {
-    let plant = plant(name, machine, text.board)?;
-    let code = text.program()?.code;
-    let traced = machine::trace(&plant, &code, &mut HostEngine::new(plant.board), span);
+/// Where there is no machine, or the program ends before.
+pub fn trace(source: &Source, name: &str, machine: &str, span: u64) -> Result<String, No> {
+    let plant = plant(name, machine, source.board())?;
+    let traced = machine::trace(
+        &plant,
+        &source.code,
+        &mut HostEngine::new(plant.board),
+        span,
+    );
     let traced = traced.map_err(|ended| both(|lang| ended.text(lang)))?;
     Ok(format!("{traced:016x}"))
 }

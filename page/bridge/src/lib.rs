@@ -6,7 +6,8 @@
 //! A machine beside a board takes a step each simulated millisecond, too often for texts: [`unoclp_step`] has numbers alone,
 //! and [`Wires`] is where they lie. Tests call [`step`].
 //!
-//! - `call`: which requests there are; `given`: what each of them gives
+//! - `ask`: which requests there are, and what each takes; `given`: how that is read
+//! - `call`, `more`: how they are answered; `json`: how answers are written
 //! - `facts`: the board that a program is for, and what it has
 //! - `program`: a text as a person has written it, and what there is to show of it
 //! - `start`: the program that a page begins with
@@ -28,6 +29,7 @@
 
 #[cfg(feature = "full")]
 mod adapt;
+mod ask;
 mod board;
 mod call;
 #[cfg(feature = "full")]
@@ -42,8 +44,11 @@ mod facts;
 #[cfg(feature = "full")]
 mod flash;
 mod given;
+mod json;
 #[cfg(feature = "full")]
 mod machine;
+#[cfg(feature = "full")]
+mod more;
 mod program;
 #[cfg(feature = "full")]
 mod replay;
@@ -147,7 +152,8 @@ pub fn answer(request: &[u8], boards: &mut Boards) -> String {
             let both = serde_json::to_string(&both).unwrap_or_default();
             format!("{{\"error\":{both}}}")
         }
-        Err(No::At(amiss)) => {
+        #[cfg(feature = "full")]
+        Err(No::Amiss(amiss)) => {
             let amiss = serde_json::to_string(&amiss).unwrap_or_default();
             format!("{{\"error\":{amiss}}}")
         }

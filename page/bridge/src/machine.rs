@@ -7,7 +7,7 @@ use self_cell::self_cell;
 use serde::Serialize;
 use unoclp_core::{Board, Image, Inputs};
 use unoclp_exercise::find::{Hidden, Search};
-use unoclp_plant::{Broken, Change, Fault, Live, Outputs, Plant, Run, Text, live, picture, read};
+use unoclp_plant::{Broken, Change, Fault, Live, Outputs, Plant, Run, live, picture, read};
 use unoclp_program::Lang;
 
 /// What chance begins with.
@@ -116,12 +116,6 @@ pub struct Look {
     hands: Vec<i32>,
     /// How far somebody is who looks for its fault, where that is the task.
     search: Option<Searched>,
-}
-
-impl From<&Text> for Both {
-    fn from(text: &Text) -> Both {
-        both(|lang| text.text(lang).to_owned())
-    }
 }
 
 impl Machine {

@@ -2,36 +2,20 @@
 //!
 //! Owns what a page is told of a program as a whole. Must not know how it is drawn or run.
 
-use crate::facts;
 use crate::given::Given;
-#[cfg(not(feature = "full"))]
-use crate::start::Known;
 use crate::tell::{Problem, colours, problems, warnings};
 use crate::words::{self, Both, No, both};
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 use unoclp_client::diagnostics::Kept;
 use unoclp_core::{Board, Delay};
-#[cfg(feature = "full")]
-use unoclp_lang::declared;
 use unoclp_program::used::Used;
-use unoclp_program::{
-    Lang, Language, Refused, Seal, Source, Written, WrittenIn, lacks, not_sent, point_names,
-};
+use unoclp_program::{Lang, Language, Seal, Source, Written, WrittenIn, lacks, not_sent};
+use unoclp_workspace::{Analysis, Version, Workspace};
 
 /// The longest text that is looked at, bytes.
 pub const LONGEST: usize = 1 << 20;
-
-/// A text, and what it is called.
-#[derive(Clone, Debug)]
-pub struct Text {
-    /// The name of its file, whose end says its language.
-    pub name: String,
-    /// What it says.
-    pub text: String,
-    /// The board that it is for.
-    pub board: Board,
-}
 
 /// What there is to say of a text.
 #[derive(Debug, Serialize)]
@@ -146,136 +130,73 @@ impl Uses {
     }
 }
 
-/// What is known of the program that a page begins with, if this is it.
-#[cfg(not(feature = "full"))]
-fn start(written: &Written) -> Option<Known> {
-    let text = std::str::from_utf8(&written.bytes).ok()?;
-    let is_list = written.language == Ok(WrittenIn::Il);
-    is_list.then(|| crate::start::known(text)).flatten()
+/// A text of a page, for this board.
+///
+/// # Errors
+/// Where it is too long.
+pub fn written(name: String, text: String, board: Board) -> Result<Written, Both> {
+    match text.len() > LONGEST {
+        true => Err(both(|lang| words::too_long(lang, LONGEST))),
+        false => Ok(Written::new(name, text.into_bytes(), board)),
+    }
 }
 
-impl Text {
-    /// As a request gives it.
-    ///
-    /// # Errors
-    /// Where it gives none.
-    pub fn of(given: &mut Given) -> Result<Text, Both> {
-        Ok(Text {
-            name: given.text("name")?,
-            text: given.text("text")?,
-            board: facts::board(given)?,
-        })
-    }
+/// What is known of the text whose version a request gives.
+///
+/// # Errors
+/// Where it gives none, or one that is no longer known.
+pub fn analysis(given: &mut Given, workspace: &mut Workspace) -> Result<Rc<Analysis>, Both> {
+    known(Version(given.number("version")?), workspace)
+}
 
-    /// Compiles and checks it.
-    ///
-    /// # Errors
-    /// What is wrong with it; the outer one where nobody looks at it.
-    pub fn open(self) -> Result<Result<Source, Refused>, No> {
-        if self.text.len() > LONGEST {
-            return Err(both(|lang| words::too_long(lang, LONGEST)).into());
-        }
-        let written = Written::new(self.name, self.text.into_bytes(), self.board);
-        #[cfg(feature = "full")]
-        return Ok(written.check(None));
-        #[cfg(not(feature = "full"))]
-        return match start(&written) {
-            Some(start) => Ok(Ok(written
-                .known(&start.code, start.map)
-                .map_err(|_| No::More)?)),
-            None => written.check_numeric().ok_or(No::More),
-        };
-    }
+/// What is known of this version.
+///
+/// # Errors
+/// That it is no longer known.
+pub fn known(version: Version, workspace: &mut Workspace) -> Result<Rc<Analysis>, Both> {
+    let analysis = workspace.analysis(version);
+    analysis.ok_or_else(|| both(|lang| words::no_version(lang, version.0)))
+}
 
-    /// Its coloured parts, as [`Checked`] has them.
-    fn colours(&self) -> Vec<u32> {
-        if self.text.len() > LONGEST {
-            return Vec::new();
-        }
-        let bytes = self.text.clone().into_bytes();
-        let written = Written::new(self.name.clone(), bytes, self.board);
-        #[cfg(feature = "full")]
-        let parts = written.colours();
-        #[cfg(not(feature = "full"))]
-        let parts = match start(&written) {
-            Some(start) => return start.colours,
-            None => written.colours_numeric(),
-        };
-        colours(&self.text, &parts)
-    }
-
-    /// Whether this module compiles its language.
-    ///
-    /// # Errors
-    /// [`No::More`] where it does not.
-    pub fn needs_no_more(&self) -> Result<(), No> {
-        #[cfg(not(feature = "full"))]
-        {
-            let bytes = self.text.clone().into_bytes();
-            let written = Written::new(self.name.clone(), bytes, self.board);
-            let is_compiled = written.is_text() && start(&written).is_none();
-            if is_compiled {
-                return Err(No::More);
-            }
-        }
-        Ok(())
-    }
-
-    /// Whether no instruction stands in it yet: one can draw the first.
-    pub fn is_blank(&self) -> bool {
-        #[cfg(feature = "full")]
-        let declares = || {
-            let is_list = self.name.to_ascii_lowercase().ends_with(".il");
-            is_list && self.text.len() <= LONGEST && declared(&self.text).is_blank
-        };
-        // What else the module knows has instructions.
-        #[cfg(not(feature = "full"))]
-        let declares = || false;
-        self.text.trim().is_empty() || declares()
-    }
-
-    /// The program, where there is one.
-    ///
-    /// # Errors
-    /// That there is none.
-    pub fn program(self) -> Result<Source, No> {
-        self.open()?.map_err(|_| both(words::faulty).into())
+/// The program of a text.
+///
+/// # Errors
+/// That there is none.
+pub fn source(analysis: &Analysis) -> Result<&Source, No> {
+    match analysis.check() {
+        None => Err(No::More),
+        Some(Ok(source)) => Ok(source),
+        Some(Err(_)) => Err(both(words::faulty).into()),
     }
 }
 
 /// Says what there is to say of a text.
 ///
 /// # Errors
-/// That it is too long to be looked at.
-pub fn check(text: Text) -> Result<Checked, No> {
-    let guessed = WrittenIn::of(text.name.as_ref(), text.text.as_bytes());
-    let written = text.text.clone();
-    let blank = text.is_blank();
-    let colours = text.colours();
-    Ok(match text.open()? {
-        Ok(source) => {
-            let (problems, more) = warnings(&source);
-            Checked {
-                language: language(&source.language),
-                problems,
-                more,
-                colours,
-                // What is cut off is no program that anybody has written.
-                program: (source.seal() != Seal::Cut).then(|| made(source)),
-                blank,
-            }
+/// That it takes the module that has everything.
+pub fn check(analysis: &Analysis) -> Result<Checked, No> {
+    let written = analysis.written();
+    let text = written.text();
+    let (language, (problems, more), program) = match analysis.check() {
+        None => return Err(No::More),
+        Some(Ok(source)) => {
+            // What is cut off is no program that anybody has written.
+            let whole = source.seal() != Seal::Cut;
+            let made = whole.then(|| made(source, analysis.symbols().cloned()));
+            (language(&source.language), warnings(source), made)
         }
-        Err(refused) => {
-            let (problems, more) = problems(&written, &refused);
-            Checked {
-                language: guessed.map_or("", WrittenIn::name),
-                problems,
-                more,
-                colours,
-                program: None,
-                blank,
-            }
+        Some(Err(refused)) => {
+            let language = written.language.map_or("", WrittenIn::name);
+            (language, problems(&text, refused), None)
         }
+    };
+    Ok(Checked {
+        language,
+        problems,
+        more,
+        colours: colours(&text, analysis.colours()),
+        program,
+        blank: analysis.is_blank(),
     })
 }
 
@@ -298,16 +219,16 @@ fn held_by(source: &Source) -> Vec<&'static str> {
     boards.map(|board| board.name).collect()
 }
 
-fn made(source: Source) -> Made {
+fn made(source: &Source, symbols: Option<BTreeMap<String, String>>) -> Made {
     let places = source.map.steps.iter();
     let map = places.map(|place| [place.line as u32, *place.codes.start(), *place.codes.end()]);
-    let held_by = held_by(&source);
+    let held_by = held_by(source);
     let first = Board::ALL.into_iter().find(Board::has_firmware);
-    let lacking = |board| both(|lang| lacks(&source, board, lang).unwrap_or_default());
+    let lacking = |board| both(|lang| lacks(source, board, lang).unwrap_or_default());
     Made {
         lacking: first.filter(|_| held_by.is_empty()).map(lacking),
         held_by,
-        symbols: point_names(&source),
+        symbols: symbols.unwrap_or_default(),
         map: map.collect(),
         size: Size {
             codes: source.size.codes,
@@ -315,10 +236,10 @@ fn made(source: Source) -> Made {
             linked: [source.size.linked_bytes, source.board().linked_bytes.into()],
             text: both(|lang| source.size.text(lang)),
         },
-        uses: Uses::of(&source),
+        uses: Uses::of(source),
         kept: Kept::of(source.program()).into(),
-        unsent: not_sent(&source, Lang::En)
-            .map(|_| both(|lang| not_sent(&source, lang).unwrap_or_default())),
+        unsent: not_sent(source, Lang::En)
+            .map(|_| both(|lang| not_sent(source, lang).unwrap_or_default())),
         code: String::from_utf8_lossy(&source.file()).into_owned(),
     }
 }

@@ -5,7 +5,6 @@
 
 use crate::exercise::read;
 use crate::machine::{Shown, plant, shown};
-use crate::program::Text;
 use crate::words::{No, both};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -14,7 +13,7 @@ use unoclp_exercise::diagram::Moment;
 use unoclp_exercise::machine::between;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_plant::{live, picture};
-use unoclp_program::Lang;
+use unoclp_program::{Lang, Source};
 
 /// It is shown from so long before, ms, and goes on for so long.
 const BEFORE: u64 = 2000;
@@ -43,17 +42,16 @@ pub struct Replay {
 /// What a machine did about this time with a program, told in this language; `scenario` has names for the points.
 ///
 /// # Errors
-/// Where there is no program or no machine, or the program ends before.
+/// Where there is no machine, or the program ends before.
 pub fn replay(
-    text: Text,
+    source: &Source,
     (name, machine): (&str, &str),
     scenario: Option<&str>,
     (at, why): (u64, &str),
     lang: Lang,
 ) -> Result<Replay, No> {
-    let board = text.board;
+    let board = source.board();
     let plant = plant(name, machine, board)?;
-    let code = text.program()?.code;
     let names = match scenario {
         Some(scenario) => read("exercise.toml", scenario, board)?.names,
         None => BTreeMap::new(),
@@ -64,7 +62,7 @@ pub fn replay(
     let mut moment = Moment::new(&plant);
     let (mut svg, mut frames, mut last) = (String::new(), Vec::new(), None);
     let engine = &mut HostEngine::new(plant.board);
-    let ended = between(&plant, &code, engine, from..=until, |run| {
+    let ended = between(&plant, &source.code, engine, from..=until, |run| {
         moment.note(run);
         if !(run.now() - from).is_multiple_of(FRAME) {
             return;

@@ -3,17 +3,29 @@
 //! Owns the form of what is kept of it. Must not know how it was compiled: a test does that again, and compares.
 
 use unoclp_checked::{Place, SourceMap};
+use unoclp_lang::{Colour, Span};
+use unoclp_program::{Refused, Source, Written, WrittenIn};
+use unoclp_workspace::Compilers;
 
 /// As a person would write it; `page/web/src/page/document.ts` has it from the same file.
 const TEXT: &str = include_str!("../start/seal-in.il");
 /// Its colours, comments and steps, line by line; after an empty line its numeric code.
 const MADE: &str = include_str!("../start/seal-in.made");
 
+/// As numbers of what is kept name them.
+const COLOURS: [Colour; 5] = [
+    Colour::Comment,
+    Colour::Text,
+    Colour::Point,
+    Colour::Number,
+    Colour::Word,
+];
+
 /// What is known of the program.
 #[derive(Debug, Default, PartialEq)]
 pub struct Known {
-    /// As [`Checked`](crate::program::Checked) has them.
-    pub colours: Vec<u32>,
+    /// Its coloured parts.
+    pub colours: Vec<(Span, Colour)>,
     /// Where its steps stand.
     pub map: SourceMap,
     /// Its program file.
@@ -23,6 +35,29 @@ pub struct Known {
 /// What is known of this text in Instruction List; nothing of any other.
 pub fn known(text: &str) -> Option<Known> {
     (text == TEXT).then(|| read(MADE)).flatten()
+}
+
+/// What the first module opens texts with: numeric code, and this program.
+pub struct First;
+
+impl Compilers for First {
+    fn check(&self, written: Written) -> Option<Result<Source, Refused>> {
+        match of(&written) {
+            // What is kept of it is a program: its test has read it.
+            Some(known) => Some(Ok(written.known(&known.code, known.map).ok()?)),
+            None => written.check_numeric(),
+        }
+    }
+
+    fn colours(&self, written: &Written) -> Vec<(Span, Colour)> {
+        of(written).map_or_else(|| written.colours_numeric(), |known| known.colours)
+    }
+}
+
+/// What is known of this text.
+fn of(written: &Written) -> Option<Known> {
+    let is_list = written.language == Ok(WrittenIn::Il);
+    is_list.then(|| known(&written.text())).flatten()
 }
 
 /// Reads what the test of this file has written.
@@ -38,7 +73,16 @@ fn read(made: &str) -> Option<Known> {
         match what {
             "title" => known.map.title.push(rest.to_owned()),
             "comment" => comments.push(rest.to_owned()),
-            "colours" => known.colours = rest.split(' ').flat_map(str::parse).collect(),
+            "colours" => {
+                let numbers: Vec<u32> = rest.split(' ').flat_map(str::parse).collect();
+                let (parts, _) = numbers.as_chunks();
+                known.colours = parts
+                    .iter()
+                    .map(|&[start, end, colour]| {
+                        Some((Span { start, end }, *COLOURS.get(colour as usize)?))
+                    })
+                    .collect::<Option<_>>()?;
+            }
             _ => {
                 let (numbers, name) = rest.rsplit_once(' ')?;
                 let numbers: Vec<u32> = numbers.split(' ').flat_map(str::parse).collect();
@@ -62,27 +106,32 @@ fn read(made: &str) -> Option<Known> {
 
 #[cfg(all(test, feature = "full"))]
 mod tests {
-    use super::{Known, MADE, TEXT, known};
-    use crate::tell::colours;
+    use super::{COLOURS, First, Known, MADE, TEXT, known};
     use std::fmt::Write;
     use std::fs;
     use std::path::Path;
     use unoclp_core::Board;
+    use unoclp_lang::{Colour, Span};
     use unoclp_program::{Source, Written};
+    use unoclp_workspace::Compilers;
 
     /// What the compiler makes of it for a board.
-    fn compiled(board: Board) -> (Source, Vec<u32>) {
+    fn compiled(board: Board) -> (Source, Vec<(Span, Colour)>) {
         let written = Written::new("seal-in.il".to_owned(), TEXT.into(), board);
-        let parts = written.colours();
+        let colours = written.colours();
         let source = written.check(None).unwrap();
         assert!(source.language.warnings().unwrap().iter().next().is_none());
         assert!(source.variables.is_empty() && source.traces.is_empty());
-        (source, colours(TEXT, &parts))
+        (source, colours)
     }
 
     /// The form in which it is kept.
     fn write(known: &Known) -> String {
-        let numbers: Vec<String> = known.colours.iter().map(u32::to_string).collect();
+        let numbers = known.colours.iter().map(|(Span { start, end }, colour)| {
+            let colour = COLOURS.iter().position(|own| own == colour).unwrap();
+            format!("{start} {end} {colour}")
+        });
+        let numbers: Vec<String> = numbers.collect();
         let mut made = format!("colours {}\n", numbers.join(" "));
         for line in &known.map.title {
             writeln!(made, "title {line}").unwrap();
@@ -122,5 +171,13 @@ mod tests {
             assert_eq!(format!("{again:?}"), format!("{source:?}"));
         }
         assert!(known(&format!("{TEXT} ")).is_none());
+        let open = |text: &str| Written::new("a.il".to_owned(), text.into(), Board::UNO);
+        assert!(
+            First
+                .check(open(TEXT))
+                .is_some_and(|checked| checked.is_ok())
+        );
+        assert!(First.check(open("LD I1\nST Q1\n")).is_none());
+        assert_eq!(First.colours(&open(TEXT)), known(TEXT).unwrap().colours);
     }
 }

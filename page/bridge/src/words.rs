@@ -1,6 +1,5 @@
 //! What is told to a page in words: always in both languages, so that a page changes its language without asking again.
 
-use serde::Serialize;
 use unoclp_client::Failure;
 use unoclp_client::diagnostics::Trouble;
 use unoclp_client::start::NotFound;
@@ -9,75 +8,26 @@ use unoclp_lang::Diagnostic;
 use unoclp_modbus::Exception;
 use unoclp_program::{Lang, NoProgram, diagnosis};
 
-/// A text in both languages.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Both {
-    /// English.
-    pub en: String,
-    /// Brazilian Portuguese.
-    pub pt: String,
-}
+pub use unoclp_words::{Both, both};
 
 /// Why there is no answer.
 #[derive(Debug)]
 pub enum No {
     /// Something is wrong, which is told.
     Told(Both),
-    /// Something is wrong with a field that a person has filled in.
-    At(Box<Amiss>),
+    /// Something of a drawing is not done.
+    #[cfg(feature = "full")]
+    Amiss(Box<unoclp_edit::Amiss>),
     /// It takes the module that has everything.
     More,
-}
-
-/// What is wrong with a field, and what could stand in it instead.
-#[derive(Debug, Serialize)]
-pub struct Amiss {
-    en: String,
-    pt: String,
-    /// Its key.
-    field: String,
-    offers: Vec<Offer>,
-}
-
-/// What could stand in a field instead.
-#[derive(Debug, Serialize)]
-pub struct Offer {
-    /// What the field has then.
-    pub value: String,
-    pub say: Both,
-    /// Whether the person is asked no more.
-    pub sure: bool,
-}
-
-impl No {
-    /// The same as of this field, with offers.
-    pub fn at(self, field: &str, offers: Vec<Offer>) -> No {
-        match self {
-            No::Told(Both { en, pt }) => No::At(Box::new(Amiss {
-                en,
-                pt,
-                field: field.to_owned(),
-                offers,
-            })),
-            other => other,
-        }
-    }
-}
-
-impl From<Amiss> for Both {
-    fn from(amiss: Amiss) -> Both {
-        Both {
-            en: amiss.en,
-            pt: amiss.pt,
-        }
-    }
 }
 
 impl From<No> for Both {
     fn from(no: No) -> Both {
         match no {
             No::Told(told) => told,
-            No::At(amiss) => (*amiss).into(),
+            #[cfg(feature = "full")]
+            No::Amiss(amiss) => amiss.told,
             // It was asked for before.
             No::More => both(faulty),
         }
@@ -90,11 +40,10 @@ impl From<Both> for No {
     }
 }
 
-/// What is said in each language.
-pub fn both(say: impl Fn(Lang) -> String) -> Both {
-    Both {
-        en: say(Lang::En),
-        pt: say(Lang::Pt),
+#[cfg(feature = "full")]
+impl From<unoclp_edit::Amiss> for No {
+    fn from(amiss: unoclp_edit::Amiss) -> No {
+        No::Amiss(Box::new(amiss))
     }
 }
 
@@ -107,6 +56,7 @@ unoclp_words::messages! {
     no_request(why) "the page sent a request that cannot be understood: {why}" "a página enviou um pedido incompreensível: {why}";
     no_such_board(name) "there is no board {name}: ask for uno, nano or pc" "não existe a placa {name}: peça uno, nano ou pc";
     no_board(session) "there is no conversation {session}" "não existe a conversa {session}";
+    no_version(version) "the page asked about text {version}, which is no longer known; change the text and try again" "a página perguntou pelo texto {version}, que não é mais conhecido; altere o texto e tente de novo";
     too_long(most) "the text is longer than {most} bytes" "o texto passa de {most} bytes";
     faulty() "the program has errors; see the problems" "o programa tem erros; veja os problemas";
     no_scenario(line, why) "the check itself has an error in line {line}: {why}" "a própria verificação tem um erro na linha {line}: {why}";

@@ -2,8 +2,11 @@
 
 #![cfg(feature = "full")]
 
+mod asked;
+
+use asked::told;
 use serde_json::{Value, json};
-use unoclp_bridge::{Boards, answer};
+use unoclp_bridge::Boards;
 use unoclp_core::{Board, Inputs, Point};
 use unoclp_host_sim::engine::{Engine, HostEngine};
 use unoclp_host_sim::random::{Random, random_inputs_on, random_program_on};
@@ -31,8 +34,7 @@ impl Page {
     }
 
     fn ok(&mut self, request: Value) -> Value {
-        let told = answer(request.to_string().as_bytes(), &mut self.boards);
-        let told: Value = serde_json::from_str(&told).unwrap();
+        let told = told(&mut self.boards, request);
         assert!(told.get("ok").is_some(), "{told}");
         told["ok"].clone()
     }

@@ -2,14 +2,13 @@
 
 #![cfg(feature = "full")]
 
+mod asked;
+
+use asked::told;
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
-use unoclp_bridge::{Boards, Wires, answer, step};
-
-fn told(boards: &mut Boards, request: Value) -> Value {
-    serde_json::from_str(&answer(request.to_string().as_bytes(), boards)).unwrap()
-}
+use unoclp_bridge::{Boards, Wires, step};
 
 fn ok(boards: &mut Boards, request: Value) -> Value {
     let told = told(boards, request);

@@ -11,6 +11,12 @@ pub struct Text {
     pub pt: String,
 }
 
+impl From<&Text> for unoclp_words::Both {
+    fn from(text: &Text) -> unoclp_words::Both {
+        unoclp_words::both(|lang| text.text(lang).to_owned())
+    }
+}
+
 impl Text {
     /// The same in both.
     pub fn same(text: &str) -> Text {

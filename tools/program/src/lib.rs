@@ -4,7 +4,6 @@
 //! - [`Source`]: its text, the checked program, and the map from one to the other
 //! - [`diagnosis`]: all faults of a program file, each shown in its source line
 //! - [`drawn`]: a program that is drawn, and its text
-//! - [`edit`]: what the ladder editor refuses and finds wrong, in words
 //! - [`lacks()`]: what a board lacks for a program of another
 //! - [`list`]: a program as a ladder diagram or as numeric code with its meaning
 //! - [`used`]: what a program uses of the board and its memory
@@ -17,7 +16,6 @@
 mod colours;
 pub mod diagnosis;
 pub mod drawn;
-pub mod edit;
 mod effect;
 mod first;
 mod kept;
@@ -40,9 +38,9 @@ pub use language::{NoProgram, is_numeric};
 pub use seal::{Seal, is_ours, sealed};
 pub use shown::{harmless, harmless_lines, shown};
 pub use size::Size;
-pub use source::{Language, Source, load, names, point_names};
+pub use source::{Language, Source, load, names, point_names, symbols};
 pub use text::decode;
 pub use written::{Refused, Written};
 pub use written_in::WrittenIn;
 
-pub use unoclp_lang::{Diagnostic, Holding, Lang, Shows, Trace, Variable, literal};
+pub use unoclp_lang::{Diagnostic, Dialect, Holding, Lang, Shows, Trace, Variable, literal};

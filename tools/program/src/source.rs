@@ -140,9 +140,14 @@ pub fn names(map: &SourceMap, ladder: &Ladder) -> Names {
 /// What the text of a program calls its points: `lamp` after `Q1`.
 pub fn point_names(source: &Source) -> BTreeMap<String, String> {
     let ladder = Ladder::new(source.program().steps());
-    let names = names(&source.map, &ladder).into_iter();
+    symbols(source, &names(&source.map, &ladder))
+}
+
+/// The same, where it is known what the symbols of its ladder are called.
+pub fn symbols(source: &Source, names: &Names) -> BTreeMap<String, String> {
+    let names = names.iter();
     let mut names: BTreeMap<String, String> = names
-        .map(|(point, name)| (point.to_string(), name))
+        .map(|(point, name)| (point.to_string(), name.clone()))
         .collect();
     for variable in &source.variables {
         let Holding::One((point, _)) = variable.holding else {

@@ -12,7 +12,7 @@ use unoclp_lang::{
 };
 
 /// A program file. Its language is known, if it has one, and nothing else.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Written {
     /// What it is called.
     pub name: String,
@@ -81,6 +81,11 @@ impl Written {
             self.language = Ok(language);
         }
         self
+    }
+
+    /// What a person reads and changes.
+    pub fn text(&self) -> String {
+        decode(&self.bytes)
     }
 
     /// Whether it is a text that is compiled.

@@ -6,8 +6,9 @@
 use super::document::{Document, Id, Node};
 use super::emit::{Code, Emitted, What};
 use super::step::Step;
+use unoclp_checked::Checked;
 use unoclp_core::isa::{Class, START};
-use unoclp_core::{Board, Cause, Fault, Loader};
+use unoclp_core::{Board, Cause, Fault};
 
 /// What is wrong in a document, and where.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,52 +55,66 @@ impl Wrong {
 impl Document {
     /// What is wrong in it; without an error a board takes it.
     pub fn check(&self, board: Board) -> Vec<Mistake> {
-        let emitted = Emitted::of(self);
-        let mut mistakes = Vec::new();
-        let mut says = |at, what| mistakes.push(Mistake { at, what });
-        let missing = emitted.codes.iter().filter(|code| code.lacks_something());
-        missing.for_each(|code| says(Some(code.of), Wrong::Missing));
-        let without = emitted.without_point.iter();
-        without.for_each(|&parallel| says(Some(parallel), Wrong::NoPointLeft));
-        let bridges = emitted.holes.iter();
-        bridges.for_each(|&(_, path)| says(Some(path), Wrong::Bridge));
-        for rung in self.rungs() {
-            idle(&rung.series, &mut |id| says(Some(id), Wrong::LeadsNowhere));
-        }
-        let (text, owners) = text(&emitted);
-        let mut memory = vec![0; usize::from(board.linked_bytes)];
-        let mut loader = Loader::new(&mut memory, board);
-        let mut told = |fault: Fault| {
-            let line = fault.line.and_then(|line| usize::try_from(line).ok());
-            let at = line.and_then(|line| owners.get(line.wrapping_sub(2)));
-            says(at.copied(), Wrong::Fault(fault.cause));
-        };
-        for byte in text.bytes() {
-            loader.push(byte).unwrap_or_else(&mut told);
-        }
-        while let Err(fault) = loader.end() {
-            told(fault);
-        }
-        // The same element is told the same once.
-        let mut all: Vec<Mistake> = Vec::with_capacity(mistakes.len());
-        for mistake in mistakes {
-            if !all.contains(&mistake) {
-                all.push(mistake);
-            }
-        }
-        all
+        Emitted::of(self).check(board)
     }
 
     /// Its codes, operands and program start among them, as a program file has them line by line.
     ///
     /// # Errors
+    /// As of [`Emitted::codes`].
+    pub fn codes(&self) -> Result<Vec<i32>, Vec<Mistake>> {
+        Emitted::of(self).codes()
+    }
+}
+
+impl Emitted<'_> {
+    /// What is wrong in the document; without an error a board takes it.
+    pub fn check(&self, board: Board) -> Vec<Mistake> {
+        let mut mistakes = self.mistakes();
+        let (text, owners) = text(self);
+        let mut told = |fault: Fault| {
+            let line = fault.line.and_then(|line| usize::try_from(line).ok());
+            let at = line.and_then(|line| owners.get(line.wrapping_sub(2)));
+            let (at, what) = (at.copied(), Wrong::Fault(fault.cause));
+            mistakes.push(Mistake { at, what });
+        };
+        // What is wrong with it is told as it comes.
+        let _ = Checked::new(board, |loader| {
+            for byte in text.bytes() {
+                loader.push(byte).unwrap_or_else(&mut told);
+            }
+            while let Err(fault) = loader.end() {
+                told(fault);
+            }
+        });
+        once(mistakes)
+    }
+
+    /// What is wrong in the document whose codes the board is known to take: what has no effect.
+    pub fn mistakes(&self) -> Vec<Mistake> {
+        let mut mistakes = Vec::new();
+        let mut says = |at, what| mistakes.push(Mistake { at: Some(at), what });
+        let missing = self.codes.iter().filter(|code| code.lacks_something());
+        missing.for_each(|code| says(code.of, Wrong::Missing));
+        let without = self.without_point.iter();
+        without.for_each(|&parallel| says(parallel, Wrong::NoPointLeft));
+        let bridges = self.holes.iter();
+        bridges.for_each(|&(_, path)| says(path, Wrong::Bridge));
+        for rung in self.document.rungs() {
+            idle(&rung.series, &mut |id| says(id, Wrong::LeadsNowhere));
+        }
+        once(mistakes)
+    }
+
+    /// The codes, operands and program start among them, as a program file has them line by line.
+    ///
+    /// # Errors
     /// What is missing, and parallels for which there is no branch point. Whether a board takes the codes is the
     /// loader's to say.
     pub fn codes(&self) -> Result<Vec<i32>, Vec<Mistake>> {
-        let emitted = Emitted::of(self);
         let mut codes = vec![START];
         let mut mistakes = Vec::new();
-        for code in &emitted.codes {
+        for code in &self.codes {
             match code.what.codes() {
                 Some(lines) => codes.extend(lines),
                 None => mistakes.push(Mistake {
@@ -108,7 +123,7 @@ impl Document {
                 }),
             }
         }
-        mistakes.extend(emitted.without_point.iter().map(|&parallel| Mistake {
+        mistakes.extend(self.without_point.iter().map(|&parallel| Mistake {
             at: Some(parallel),
             what: Wrong::NoPointLeft,
         }));
@@ -117,6 +132,17 @@ impl Document {
             false => Err(mistakes),
         }
     }
+}
+
+/// The same element is told the same once.
+fn once(mistakes: Vec<Mistake>) -> Vec<Mistake> {
+    let mut all: Vec<Mistake> = Vec::with_capacity(mistakes.len());
+    for mistake in mistakes {
+        if !all.contains(&mistake) {
+            all.push(mistake);
+        }
+    }
+    all
 }
 
 impl Code<'_> {

@@ -1,7 +1,7 @@
 //! A document as a ladder: what each of its symbols stands for.
 
 use super::document::{Document, Id};
-use super::emit::{Emitted, What};
+use super::emit::{Code, Emitted, What};
 use super::shown;
 use crate::{Drawing, Ladder, Names, Style};
 use unoclp_core::Instruction;
@@ -18,52 +18,16 @@ pub struct Drawn {
     pub rungs: Vec<Id>,
 }
 
-/// What a step of the ladder shows.
-struct Shown<'d> {
-    of: Id,
-    /// None of a path on which nothing stands.
-    what: Option<What<'d>>,
-    drum: Vec<u8>,
+/// What a step of the ladder shows: a code, or a path on which nothing stands.
+enum Shown<'e> {
+    Code(&'e Code<'e>),
+    Hole(Id),
 }
 
 impl Drawn {
     /// The ladder of a document.
     pub fn of(document: &Document) -> Drawn {
-        let emitted = Emitted::of(document);
-        let mut ladder = Ladder::empty();
-        let mut all: Vec<Shown<'_>> = Vec::with_capacity(emitted.codes.len());
-        let (mut at, mut timers) = (0, 0);
-        let mut holes = emitted.holes.iter().peekable();
-        for &end in &emitted.ends {
-            let first = all.len();
-            loop {
-                while let Some((_, path)) = holes.next_if(|(before, _)| *before == at) {
-                    all.push(Shown::hole(*path));
-                }
-                if at == end {
-                    break;
-                }
-                all.push(Shown::code(emitted.codes[at].of, emitted.codes[at].what));
-                at += 1;
-            }
-            let steps: Vec<Instruction<'_>> = all[first..].iter().map(Shown::step).collect();
-            ladder.rung(first, &steps, &mut timers);
-        }
-        let mut elements = Vec::with_capacity(ladder.elements.len());
-        for element in &mut ladder.elements {
-            let shown = &all[element.conducts];
-            match shown.what {
-                Some(What::Step(step)) => shown::question(step, &mut element.symbol),
-                Some(What::Form(..)) => {}
-                None => shown::nothing(element),
-            }
-            elements.push(shown.of);
-        }
-        Drawn {
-            ladder,
-            elements,
-            rungs: document.rungs().map(|rung| rung.id).collect(),
-        }
+        Emitted::of(document).drawn()
     }
 
     /// Draws it in so many columns.
@@ -76,26 +40,56 @@ impl Drawn {
     }
 }
 
-impl<'d> Shown<'d> {
-    fn hole(of: Id) -> Shown<'d> {
-        let (what, drum) = (None, Vec::new());
-        Shown { of, what, drum }
+impl Emitted<'_> {
+    /// Its ladder.
+    pub fn drawn(&self) -> Drawn {
+        let mut ladder = Ladder::empty();
+        let mut all: Vec<Shown<'_>> = Vec::with_capacity(self.codes.len());
+        let (mut at, mut timers) = (0, 0);
+        let mut holes = self.holes.iter().peekable();
+        for &end in &self.ends {
+            let first = all.len();
+            loop {
+                while let Some((_, path)) = holes.next_if(|(before, _)| *before == at) {
+                    all.push(Shown::Hole(*path));
+                }
+                if at == end {
+                    break;
+                }
+                all.push(Shown::Code(&self.codes[at]));
+                at += 1;
+            }
+            let steps: Vec<Instruction<'_>> = all[first..].iter().map(Shown::step).collect();
+            ladder.rung(first, &steps, &mut timers);
+        }
+        let mut elements = Vec::with_capacity(ladder.elements.len());
+        for element in &mut ladder.elements {
+            elements.push(match &all[element.conducts] {
+                Shown::Code(code) => {
+                    if let What::Step(step) = code.what {
+                        shown::question(step, &mut element.symbol);
+                    }
+                    code.of
+                }
+                Shown::Hole(path) => {
+                    shown::nothing(element);
+                    *path
+                }
+            });
+        }
+        Drawn {
+            ladder,
+            elements,
+            rungs: self.document.rungs().map(|rung| rung.id).collect(),
+        }
     }
+}
 
-    fn code(of: Id, what: What<'d>) -> Shown<'d> {
-        let drum = match what {
-            What::Step(step) => shown::drum(step),
-            What::Form(..) => Vec::new(),
-        };
-        let what = Some(what);
-        Shown { of, what, drum }
-    }
-
+impl Shown<'_> {
     fn step(&self) -> Instruction<'_> {
-        match self.what {
-            Some(What::Step(step)) => shown::instruction(step, &self.drum),
-            Some(What::Form(opcode, number)) => shown::form(opcode, number),
-            None => shown::HOLE,
+        match self {
+            Shown::Code(code) => code.step(),
+            Shown::Hole(_) => shown::HOLE,
         }
     }
 }

@@ -4,11 +4,16 @@
 //! at the beginning of a rung, a path or a block that is what this began with; anywhere else a branch point keeps it.
 
 use super::document::{Begin, Block, Document, Gate, Id, Node, Parallel, Path, Rung};
+use super::shown;
 use super::step::Step;
+use unoclp_checked::Work;
+use unoclp_core::Instruction;
 use unoclp_core::isa::{BRANCH_POINTS, Opcode};
 
-/// What a document says, in the order of a program file, without program start.
-pub(crate) struct Emitted<'d> {
+/// What a document says, in the order of a program file, without program start: made once for all who ask what its codes
+/// are, what is wrong with them, and what they look like.
+pub struct Emitted<'d> {
+    pub(crate) document: &'d Document,
     /// The codes, the rungs one after the other.
     pub(crate) codes: Vec<Code<'d>>,
     /// After the last code of each rung.
@@ -20,11 +25,12 @@ pub(crate) struct Emitted<'d> {
 }
 
 /// A code with its operands.
-#[derive(Clone, Copy)]
 pub(crate) struct Code<'d> {
     /// What it came from: an element, a parallel or its path, a block, or the rung.
     pub(crate) of: Id,
     pub(crate) what: What<'d>,
+    /// The outputs of a drum's steps.
+    drum: Vec<u8>,
 }
 
 /// What a code says.
@@ -38,8 +44,10 @@ pub(crate) enum What<'d> {
 
 impl Emitted<'_> {
     /// What the document says.
-    pub(crate) fn of(document: &Document) -> Emitted<'_> {
+    pub fn of(document: &Document) -> Emitted<'_> {
+        Work::note(|work| work.emissions += 1);
         let mut emitted = Emitted {
+            document,
             codes: Vec::new(),
             ends: Vec::new(),
             holes: Vec::new(),
@@ -52,6 +60,26 @@ impl Emitted<'_> {
             by_itself = rung.ends_in_if();
         }
         emitted
+    }
+
+    /// Its instructions, what is missing in them as a drawing shows it.
+    pub fn steps(&self) -> impl Iterator<Item = Instruction<'_>> {
+        self.codes.iter().map(Code::step)
+    }
+
+    /// The document.
+    pub fn document(&self) -> &Document {
+        self.document
+    }
+
+    /// The rungs that have a code, which are those of the program, and their instructions.
+    pub fn rungs(&self) -> impl Iterator<Item = (&Rung, impl Iterator<Item = Instruction<'_>>)> {
+        let begins = std::iter::once(&0).chain(&self.ends);
+        let rungs = self.document.rungs().zip(begins.zip(&self.ends));
+        rungs
+            .map(|(rung, (&begin, &end))| (rung, &self.codes[begin..end]))
+            .filter(|(_, codes)| !codes.is_empty())
+            .map(|(rung, codes)| (rung, codes.iter().map(Code::step)))
     }
 }
 
@@ -93,6 +121,7 @@ impl<'d> Emitted<'d> {
                         self.codes.push(Code {
                             of: element.id,
                             what: What::Step(step),
+                            drum: shown::drum(step),
                         });
                     }
                 }
@@ -171,8 +200,11 @@ impl<'d> Emitted<'d> {
     }
 
     fn form(&mut self, of: Id, opcode: Opcode, number: Option<u8>) {
-        let what = What::Form(opcode, number);
-        self.codes.push(Code { of, what });
+        self.codes.push(Code {
+            of,
+            what: What::Form(opcode, number),
+            drum: Vec::new(),
+        });
     }
 }
 
@@ -191,6 +223,16 @@ fn named(series: &[Node]) -> u8 {
 fn bit(point: u8) -> u8 {
     1u8.checked_shl(u32::from(point).wrapping_sub(1))
         .unwrap_or(0)
+}
+
+impl Code<'_> {
+    /// The instruction that it is, what is missing in it as a drawing shows it.
+    pub(crate) fn step(&self) -> Instruction<'_> {
+        match self.what {
+            What::Step(step) => shown::instruction(step, &self.drum),
+            What::Form(opcode, number) => shown::form(opcode, number),
+        }
+    }
 }
 
 impl What<'_> {

@@ -32,8 +32,8 @@ impl Document {
     /// # Errors
     /// As of [`Document::codes`].
     pub fn instructions(&self) -> Result<Vec<(Id, Vec<i32>)>, Vec<Mistake>> {
-        self.codes()?;
         let emitted = Emitted::of(self);
+        emitted.codes()?;
         let missing = |at| {
             vec![Mistake {
                 at: Some(at),

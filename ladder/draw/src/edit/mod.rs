@@ -38,6 +38,7 @@ pub use document::{
 };
 pub use draft::Draft;
 pub use draw::Drawn;
+pub use emit::Emitted;
 pub use history::Editor;
 pub use operation::{Along, Direction, Edge, Operation, Place, Way};
 pub use places::{Canvas, Opening, Spot};

@@ -56,7 +56,8 @@ impl Document {
     pub fn with_text(mut self, map: &SourceMap) -> Document {
         self.title = map.title.clone().into();
         let mut first = 0;
-        for (index, end) in Emitted::of(&self).ends.into_iter().enumerate() {
+        let ends = Emitted::of(&self).ends;
+        for (index, end) in ends.into_iter().enumerate() {
             if end > first
                 && let Some(rung) = self.rung_mut(index)
             {

@@ -2,9 +2,10 @@
 //!
 //! - `picture`: one picture of the whole; `report`: pages of paper
 //! - `screen`: a drawing that shows power; `sheet`: one that is edited
-//! - `page`: what they are all drawn on; `symbol`: the elements; `wires`: what leads to them
+//! - `node`: an element of SVG; `page`: what they are all drawn on; `symbol`: the elements; `wires`: what leads to them
 
 mod area;
+mod node;
 mod page;
 mod picture;
 mod report;

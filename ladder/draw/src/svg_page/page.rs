@@ -1,11 +1,12 @@
 //! What a drawing is drawn on, rung by rung.
 
 use super::area::Area;
+use super::node::{Node, data, digits};
 use super::wires::{NO_NET, Wires, arms, horizontal, is_rail, is_text, vertical};
 use super::{AXIS, GAP, HEADING, MARGIN, TEXT_ROW, WIRE_ROW, x};
 use crate::block::Cell;
 use crate::{Drawing, Net, Picture};
-use svg::node::element::{Group, Path, Rectangle, Text, Title};
+use std::borrow::Cow;
 
 pub(super) const SANS: &str = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
 pub(super) const MONO: &str = "'DejaVu Sans Mono', Consolas, Menlo, monospace";
@@ -51,8 +52,8 @@ impl Font {
     }
 
     /// A text that looks so by itself, without a style sheet.
-    pub(super) fn written(&self, x: f32, y: f32, text: &str) -> Text {
-        Text::new(printable(text))
+    pub(super) fn written(&self, x: f32, y: f32, text: &str) -> Node {
+        Node::text(&printable(text))
             .set("x", x)
             .set("y", y)
             .set("fill", INK)
@@ -66,7 +67,7 @@ impl Font {
 /// A page that fills from the top.
 pub(super) struct Page<'p> {
     pub(super) drawing: &'p Drawing<'p>,
-    pub(super) group: Group,
+    pub(super) group: Node,
     pub(super) y: f32,
     /// Whether a style sheet says how all of it looks, and what is live has a name.
     pub(super) screen: bool,
@@ -81,7 +82,7 @@ impl<'p> Page<'p> {
     pub(super) fn new(drawing: &'p Drawing<'p>, y: f32, screen: bool) -> Page<'p> {
         Page {
             drawing,
-            group: Group::new(),
+            group: Node::group(),
             y,
             screen,
             ids: None,
@@ -107,22 +108,22 @@ impl<'p> Page<'p> {
 
     pub(super) fn text(&mut self, x: f32, y: f32, text: &str, font: &Font) {
         if self.screen {
-            let text = Text::new(printable(text)).set("x", x).set("y", y);
+            let text = Node::text(&printable(text)).set("x", x).set("y", y);
             return self.add(text.set("class", font.class));
         }
         self.add(font.written(x, y, text));
     }
 
-    pub(super) fn add(&mut self, node: impl svg::Node) {
-        self.group = std::mem::take(&mut self.group).add(node);
+    pub(super) fn add(&mut self, node: Node) {
+        self.group.add(node);
     }
 
     pub(super) fn line(&mut self, data: String, width: f32) {
         if self.screen {
-            let path = Path::new().set("d", data).set("stroke-width", width);
+            let path = Node::path().set("d", data).set("stroke-width", width);
             return self.add(path.set("class", "line"));
         }
-        let path = Path::new()
+        let path = Node::path()
             .set("d", data)
             .set("fill", "none")
             .set("stroke", INK)
@@ -136,10 +137,10 @@ impl<'p> Page<'p> {
         if !self.screen {
             return self.line(data, 1.4);
         }
-        let wire = Path::new().set("d", data);
+        let wire = Node::path().set("d", data);
         self.add(match net {
             NO_NET => wire.set("class", "wire"),
-            net => wire.set("class", format!("wire n{net}")),
+            net => wire.set("class", of_net("wire", net)),
         });
     }
 
@@ -151,8 +152,8 @@ impl<'p> Page<'p> {
         right: (f32, f32),
         y: f32,
     ) {
-        let left = format!("M{} {y}H{}", left.0, left.1);
-        let right = format!("M{} {y}H{}", right.0, right.1);
+        let left = data(&[('M', &[left.0, y]), ('H', &[left.1])]);
+        let right = data(&[('M', &[right.0, y]), ('H', &[right.1])]);
         if !self.screen {
             return self.line(left + &right, 1.4);
         }
@@ -161,10 +162,10 @@ impl<'p> Page<'p> {
     }
 
     /// The edge of a box.
-    pub(super) fn edge(&self) -> Rectangle {
+    pub(super) fn edge(&self) -> Node {
         match self.screen {
-            true => Rectangle::new().set("class", "line"),
-            false => Rectangle::new().set("fill", "none").set("stroke", INK),
+            true => Node::rectangle().set("class", "line"),
+            false => Node::rectangle().set("fill", "none").set("stroke", INK),
         }
     }
 
@@ -190,7 +191,8 @@ impl<'p> Page<'p> {
             self.wire(data, net);
         }
         let right = (self.drawing.width - 1) as f32;
-        let rails = [0.0, right].map(|column| format!("M{} {top}V{}", x(column + 0.5), self.y));
+        let rail = |column| data(&[('M', &[x(column + 0.5), top]), ('V', &[self.y])]);
+        let rails = [0.0, right].map(rail);
         self.line(rails.concat(), 2.6);
     }
 
@@ -231,12 +233,22 @@ impl<'p> Page<'p> {
     }
 }
 
+/// The class of what a net lights: `wire n7`.
+pub(super) fn of_net(class: &str, net: u32) -> String {
+    let mut class = [class, " n"].concat();
+    digits(net, &mut class);
+    class
+}
+
 /// What a drawing is called, for who cannot see it.
-pub(super) fn titled(about: &str) -> Title {
-    Title::new(printable(about))
+pub(super) fn titled(about: &str) -> Node {
+    Node::title(&printable(about))
 }
 
 /// A text without control characters, which XML does not have.
-fn printable(text: &str) -> String {
-    text.chars().filter(|ch| !ch.is_control()).collect()
+fn printable(text: &str) -> Cow<'_, str> {
+    match text.contains(char::is_control) {
+        true => text.chars().filter(|ch| !ch.is_control()).collect(),
+        false => text.into(),
+    }
 }

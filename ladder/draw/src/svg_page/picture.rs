@@ -1,11 +1,10 @@
 //! The whole drawing as one picture.
 
+use super::node::Node;
 use super::page::{Font, Page, titled};
 use super::{COLUMN, GAP, MARGIN, MILLIMETRES};
 use crate::listing::{Title, heading};
 use crate::{Drawing, Names};
-use svg::Document;
-use svg::node::element::Rectangle;
 use unoclp_checked::SourceMap;
 
 /// The drawing as an SVG document under the heading `about`, its rungs under their titles.
@@ -24,16 +23,16 @@ pub fn to_svg(
     }
     let width = drawing.width as f32 * COLUMN + 2.0 * MARGIN;
     let height = page.y - GAP + MARGIN;
-    let paper = Rectangle::new()
+    let paper = Node::rectangle()
         .set("width", width)
         .set("height", height)
         .set("fill", "#ffffff");
-    Document::new()
+    Node::document()
         .set("width", format!("{:.1}mm", width * MILLIMETRES))
         .set("height", format!("{:.1}mm", height * MILLIMETRES))
         .set("viewBox", (0.0, 0.0, width, height))
-        .add(titled(about))
-        .add(paper)
-        .add(page.group)
-        .to_string()
+        .with(titled(about))
+        .with(paper)
+        .with(page.group)
+        .written()
 }

@@ -8,12 +8,11 @@
 //!
 //! A style sheet says how they look; nothing here has a colour.
 
-use super::page::Page;
+use super::node::Node;
+use super::page::{Page, of_net};
 use super::{AXIS, COLUMN, GAP, MARGIN, x};
 use crate::listing::{Title, heading};
 use crate::{Drawing, Element, Names, Symbol};
-use svg::Document;
-use svg::node::element::{Group, Rectangle, Text};
 use unoclp_checked::SourceMap;
 
 /// The drawing as an SVG element of a page, its rungs under their titles. `label` says what it is to who cannot see it.
@@ -25,7 +24,7 @@ pub fn to_screen(
     label: &str,
 ) -> String {
     let mut page = Page::new(drawing, MARGIN / 2.0, true);
-    let mut all = Group::new();
+    let mut all = Node::group();
     for (index, picture) in drawing.rungs.iter().enumerate() {
         page.headed(&heading(drawing, map, names, title, index), picture);
         let rung = &drawing.ladder().rungs[index];
@@ -35,50 +34,50 @@ pub fn to_screen(
         if let Some((from, to)) = map.lines(rung.first, rung.steps) {
             group = group.set("data-lines", format!("{from}-{to}"));
         }
-        all = all.add(group);
+        all.add(group);
     }
     let width = drawing.width as f32 * COLUMN + 2.0 * MARGIN;
     let height = page.y - GAP + MARGIN;
-    Document::new()
+    Node::document()
         .set("class", "ladder")
         .set("role", "img")
         .set("aria-label", label)
         .set("width", width)
         .set("height", height)
         .set("viewBox", (0.0, 0.0, width, height))
-        .add(all)
-        .to_string()
+        .with(all)
+        .written()
 }
 
 /// The group of a symbol, with the area that takes clicks on it.
 pub(super) fn named(
     element: &Element,
     index: usize,
-    symbol: Group,
+    symbol: Node,
     (from, to): (usize, usize),
     y: f32,
-) -> Group {
+) -> Node {
     let (left, right) = (x(from as f32), x(to as f32));
     let steps: Vec<String> = element.steps.iter().map(usize::to_string).collect();
-    let area = Rectangle::new()
+    let area = Node::rectangle()
         .set("class", "area")
         .set("x", left)
         .set("y", y - AXIS)
         .set("width", right - left)
         .set("height", AXIS + 13.0);
     let mut group = symbol
-        .set("class", format!("element n{}", element.net.number()))
+        .set("class", of_net("element", element.net.number()))
         .set("data-element", index)
         .set("data-steps", steps.join(" "));
     if let Some(point) = element.point {
         group = group.set("data-point", point.to_string());
     }
     if matches!(element.symbol, Symbol::Box { .. }) {
-        let value = Text::new("")
+        let value = Node::text("")
             .set("class", "value")
             .set("x", (left + right) / 2.0)
             .set("y", y - 15.0);
-        group = group.add(value);
+        group.add(value);
     }
-    group.add(area)
+    group.with(area)
 }

@@ -3,11 +3,10 @@
 //! Beside what `screen` names, a symbol and a rung have a `data-id`.
 
 use super::area::Area;
+use super::node::Node;
 use super::page::Page;
 use super::{COLUMN, GAP, MARGIN};
 use crate::Drawing;
-use svg::Document;
-use svg::node::element::Group;
 
 /// A drawing, and where everything is.
 #[derive(Clone, Debug)]
@@ -39,7 +38,7 @@ pub fn to_sheet(drawing: &Drawing<'_>, labels: &Labels<'_>) -> Sheet {
     let mut page = Page::new(drawing, MARGIN / 2.0, true);
     page.ids = Some(labels.elements);
     let width = drawing.width as f32 * COLUMN + 2.0 * MARGIN;
-    let mut all = Group::new();
+    let mut all = Node::group();
     let mut rungs = Vec::new();
     for (index, picture) in drawing.rungs.iter().enumerate() {
         let top = page.y;
@@ -54,19 +53,19 @@ pub fn to_sheet(drawing: &Drawing<'_>, labels: &Labels<'_>) -> Sheet {
             .set("class", "rung")
             .set("data-rung", index + 1)
             .set("data-id", (labels.rungs)(index));
-        all = all.add(group);
+        all.add(group);
     }
     let height = page.y - GAP + MARGIN;
-    let svg = Document::new()
+    let svg = Node::document()
         .set("class", "ladder")
         .set("role", "img")
         .set("aria-label", labels.drawing)
         .set("width", width)
         .set("height", height)
         .set("viewBox", (0.0, 0.0, width, height))
-        .add(all);
+        .with(all);
     Sheet {
-        svg: svg.to_string(),
+        svg: svg.written(),
         area: Area {
             x: 0.0,
             y: 0.0,

@@ -1,6 +1,7 @@
 //! The symbols of elements.
 
 use super::area::Area;
+use super::node::data;
 use super::page::{Font, Page};
 use super::{COLUMN, HALF, screen, x};
 use crate::{Element, Net, Symbol};
@@ -49,7 +50,7 @@ impl Page<'_> {
             Symbol::Contact { closed, text } => {
                 let (a, b) = (middle - 6.0, middle + 6.0);
                 self.leads(nets, (left, a), (b, right), y);
-                self.line(format!("M{a} {above}V{below}M{b} {above}V{below}"), 1.8);
+                self.line(bars(a, b, above, below), 1.8);
                 if *closed {
                     let (a, b) = (a - 1.0, b + 1.0);
                     self.line(format!("M{a} {below}L{b} {above}"), 1.4);
@@ -106,7 +107,17 @@ impl Page<'_> {
         let half = 4.0 + 5.0 * text.len() as f32;
         let (a, b) = (middle - half, middle + half);
         self.leads(nets, (left, a), (b, right), y);
-        self.line(format!("M{a} {above}V{below}M{b} {above}V{below}"), 1.8);
+        self.line(bars(a, b, above, below), 1.8);
         self.text(middle, y + 4.5, text, &Font::LETTER);
     }
+}
+
+/// Two lines from above to below.
+fn bars(a: f32, b: f32, above: f32, below: f32) -> String {
+    data(&[
+        ('M', &[a, above]),
+        ('V', &[below]),
+        ('M', &[b, above]),
+        ('V', &[below]),
+    ])
 }

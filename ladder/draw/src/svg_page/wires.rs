@@ -1,5 +1,6 @@
 //! The wires among the cells, as lines.
 
+use super::node::data;
 use super::{HALF, x};
 use crate::{Cell, Net};
 use std::collections::BTreeMap;
@@ -78,7 +79,7 @@ pub(super) fn horizontal(row: &[Cell], y: f32, wires: &mut Wires) {
         };
         let mut end = |at: f32, begun: &mut Option<(f32, u32)>| {
             if let Some((from, key)) = begun.take() {
-                wires.add(key, &format!("M{from} {y}H{at}"));
+                wires.add(key, &data(&[('M', &[from, y]), ('H', &[at])]));
             }
         };
         if begun.is_some_and(|(_, before)| before != key) {
@@ -97,7 +98,8 @@ pub(super) fn horizontal(row: &[Cell], y: f32, wires: &mut Wires) {
         }
     }
     if let Some((from, key)) = begun {
-        wires.add(key, &format!("M{from} {y}H{}", x(row.len() as f32)));
+        let end = x(row.len() as f32);
+        wires.add(key, &data(&[('M', &[from, y]), ('H', &[end])]));
     }
 }
 
@@ -111,7 +113,8 @@ pub(super) fn vertical(row: &[Cell], next: &[Cell], from: f32, to: f32, wires: &
         };
         if arms(below)[2] && (arms(above)[3] || above.element.is_some()) {
             let key = wires.key(below.net);
-            wires.add(key, &format!("M{} {from}V{to}", x(column as f32 + 0.5)));
+            let at = x(column as f32 + 0.5);
+            wires.add(key, &data(&[('M', &[at, from]), ('V', &[to])]));
         }
     }
 }

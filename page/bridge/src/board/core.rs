@@ -9,7 +9,7 @@ use super::watched::Watched;
 use crate::facts::numbers;
 #[cfg(feature = "full")]
 use crate::machine::Machine;
-use crate::program::Text;
+use crate::program::source;
 use crate::words::{self, Both, both};
 use std::collections::BTreeMap;
 use unoclp_client::diagnostics::{self, Kept};
@@ -18,6 +18,7 @@ use unoclp_exercise::live::Flow;
 #[cfg(feature = "full")]
 use unoclp_plant::Outputs;
 use unoclp_point::Address;
+use unoclp_workspace::Analysis;
 
 /// The small module has no machines.
 #[cfg(not(feature = "full"))]
@@ -140,7 +141,7 @@ impl Core {
                     *place = reading.min(1023);
                 }
             }
-            Order::Upload { text, stay } => self.load(text, stay)?,
+            Order::Upload { text, stay } => self.load(&text, stay)?,
             // It knows what it runs.
             Order::Watch { .. } => {}
             Order::Settings => return Err(both(words::no_settings)),
@@ -150,13 +151,13 @@ impl Core {
         Ok(None)
     }
 
-    fn load(&mut self, text: Text, stay: bool) -> Result<(), Both> {
-        let source = text.program()?;
+    fn load(&mut self, text: &Analysis, stay: bool) -> Result<(), Both> {
+        let source = source(text)?;
         self.board = source.board();
         self.program = Some(Program {
             kept: Kept::of(source.program()),
             flow: Flow::default(),
-            watched: Watched::new(source),
+            watched: Watched::new(text)?,
         });
         self.begin(if stay { State::Stop } else { State::Run })
     }

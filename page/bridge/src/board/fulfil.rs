@@ -7,7 +7,7 @@ use super::order::Order;
 use super::settle::settle;
 use super::undone::Undone;
 use super::watched::Watched;
-use crate::program::Text;
+use crate::program::source;
 use crate::words::{self, Both, both, told};
 use unoclp_client::diagnostics;
 use unoclp_client::map::{Command, State, holding};
@@ -20,6 +20,7 @@ use unoclp_lang::no_such_point;
 use unoclp_modbus::Exception;
 use unoclp_point::Address;
 use unoclp_program::{Lang, not_sent};
+use unoclp_workspace::Analysis;
 
 /// Does what is ordered; gives what there is to say after it.
 pub(super) async fn fulfil(
@@ -52,9 +53,9 @@ pub(super) async fn fulfil(
             Ok(None)
         }
         Order::Press { .. } | Order::Turn { .. } => Err(Undone::Told(both(words::own_contacts))),
-        Order::Upload { text, stay } => put(client, desk, number, text, stay).await.map(Some),
+        Order::Upload { text, stay } => put(client, desk, number, &text, stay).await.map(Some),
         Order::Watch { text } => {
-            let watched = Watched::new(text.program()?);
+            let watched = Watched::new(&text)?;
             desk.watched.replace(Some(watched));
             Ok(None)
         }
@@ -88,12 +89,12 @@ async fn put(
     client: &mut Client,
     desk: &Desk,
     number: u32,
-    text: Text,
+    text: &Analysis,
     stay: bool,
 ) -> Result<Both, Undone> {
-    let source = text.program()?;
-    if not_sent(&source, Lang::En).is_some() {
-        let why = both(|lang| not_sent(&source, lang).unwrap_or_default());
+    let source = source(text)?;
+    if not_sent(source, Lang::En).is_some() {
+        let why = both(|lang| not_sent(source, lang).unwrap_or_default());
         return Err(Undone::Told(why));
     }
     let sent = diagnostics::Kept::of(source.program());
@@ -117,7 +118,7 @@ async fn put(
     let kept = upload(client, &source.code, sent, &mut show).await;
     let kept = kept.map_err(|broken| both(|lang| words::broken(lang, &broken)))?;
     desk.tell(News::Stored(Kept::from(kept)));
-    desk.watched.replace(Some(Watched::new(source)));
+    desk.watched.replace(Some(Watched::new(text)?));
     // A board in no state of this version goes on as one in STOP.
     let state = before.state.unwrap_or(State::Stop);
     let behind = go_on(client, state, kept, stay).await?;

@@ -25,9 +25,6 @@ mod watched;
 pub use order::Order;
 
 use crate::clock::{NEVER, time, whole_ms};
-use crate::facts;
-use crate::given::Given;
-use crate::program::Text;
 use crate::words::{self, Both, No, both};
 use core::Core;
 use desk::Desk;
@@ -37,40 +34,21 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 use unoclp_client::{Conversation, Line, Next, Parity, Patience};
 use unoclp_core::Board;
+use unoclp_workspace::{Analysis, Workspace};
 use watched::Watched;
 
 /// A conversation that is to begin.
-#[derive(Debug)]
 pub struct Open {
     /// The board whose programs the core runs; none: there is a line to a board.
-    core: Option<Board>,
+    pub core: Option<Board>,
     /// The program that the board is said to run; none: any.
-    program: Option<Text>,
+    pub program: Option<Rc<Analysis>>,
     /// Whether opening the line has probably reset the board.
-    reset: bool,
-    address: Option<u8>,
-    rate: Option<u32>,
+    pub reset: bool,
+    pub address: Option<u8>,
+    pub rate: Option<u32>,
     /// 0 none, 1 even, 2 odd.
-    parity: Option<u16>,
-}
-
-impl Open {
-    /// As a request gives it.
-    ///
-    /// # Errors
-    /// Where something in it is something else.
-    pub fn of(given: &mut Given) -> Result<Open, Both> {
-        let program = given.below_if("program")?;
-        let core = given.truth_if("core")?.unwrap_or_default();
-        Ok(Open {
-            core: core.then(|| facts::board(given)).transpose()?,
-            program: program.map(|mut text| Text::of(&mut text)).transpose()?,
-            reset: given.truth("reset")?,
-            address: given.number_if("address")?,
-            rate: given.number_if("rate")?,
-            parity: given.number_if("parity")?,
-        })
-    }
+    pub parity: Option<u16>,
 }
 
 /// A step of a conversation.
@@ -95,8 +73,9 @@ enum With {
 }
 
 /// All conversations.
-#[derive(Default)]
 pub struct Boards {
+    /// The texts of the page.
+    pub(crate) workspace: Workspace,
     sessions: BTreeMap<u32, Session>,
     /// Conversations and orders are numbered by this.
     last: u32,
@@ -108,6 +87,26 @@ pub struct Boards {
     /// A page has one drawing.
     #[cfg(feature = "full")]
     pub(crate) drawing: Option<crate::edit::Drawing>,
+}
+
+impl Default for Boards {
+    fn default() -> Boards {
+        #[cfg(feature = "full")]
+        let compilers = unoclp_workspace::All::default();
+        #[cfg(not(feature = "full"))]
+        let compilers = crate::start::First;
+        Boards {
+            workspace: Workspace::new(Rc::new(compilers)),
+            sessions: BTreeMap::new(),
+            last: 0,
+            #[cfg(feature = "full")]
+            flash: crate::flash::Flash::default(),
+            #[cfg(feature = "full")]
+            machine: None,
+            #[cfg(feature = "full")]
+            drawing: None,
+        }
+    }
 }
 
 /// Conversations that may go on at one time: a page has one.
@@ -130,9 +129,9 @@ impl Boards {
             rate: open.rate.unwrap_or(usual.rate),
             parity: open.parity.and_then(Parity::of).unwrap_or(usual.parity),
         };
-        let program = open.program.map(Text::program).transpose()?;
+        let program = open.program.as_deref().map(Watched::new).transpose()?;
         let desk = Rc::new(Desk::default());
-        desk.watched.replace(program.map(Watched::new));
+        desk.watched.replace(program);
         let talks = desk.clone();
         let reset = open.reset;
         let talk = async move |client: &mut _| talk::talk(client, &talks, reset).await;
@@ -193,7 +192,6 @@ impl Boards {
     /// # Errors
     /// Where there is no conversation.
     pub fn order(&mut self, board: u32, order: Order) -> Result<u32, No> {
-        order.needs_no_more()?;
         let number = self.number();
         let session = self.session(board)?;
         session.desk.orders.borrow_mut().push_back((number, order));

@@ -3,11 +3,12 @@
 #[cfg(feature = "full")]
 use super::wanted::Wanted;
 use crate::given::{Given, wrong};
-use crate::program::Text;
+use crate::program::analysis;
 use crate::words::No;
+use std::rc::Rc;
+use unoclp_workspace::{Analysis, Workspace};
 
 /// What may be ordered of a board.
-#[derive(Debug)]
 pub enum Order {
     /// RUN, from the beginning.
     Run,
@@ -32,9 +33,9 @@ pub enum Order {
     /// Set an output, a marker, a register or a preset once.
     Set { point: String, value: i32 },
     /// Put this program on the board, and watch it from then on. It runs then, unless it stays in STOP.
-    Upload { text: Text, stay: bool },
+    Upload { text: Rc<Analysis>, stay: bool },
     /// Watch this program from now on; it is said to be on the board.
-    Watch { text: Text },
+    Watch { text: Rc<Analysis> },
     /// Read the settings.
     Settings,
     /// Change the settings: the lock holds at once, all else from the next start on.
@@ -47,7 +48,13 @@ impl Order {
     ///
     /// # Errors
     /// Where there is no such order, it lacks something, or it takes the module that has everything.
-    pub fn of(mut given: Given) -> Result<Order, No> {
+    pub fn of(mut given: Given, workspace: &mut Workspace) -> Result<Order, No> {
+        let mut known = |given: &mut Given| {
+            let analysis = analysis(given, workspace)?;
+            // What is wrong with a program is told when its turn comes.
+            analysis.check().ok_or(No::More)?;
+            Ok::<_, No>(analysis)
+        };
         let what = given.text("do")?;
         Ok(match what.as_str() {
             "run" => Order::Run,
@@ -74,11 +81,11 @@ impl Order {
                 value: given.number("value")?,
             },
             "upload" => Order::Upload {
-                text: Text::of(&mut given)?,
+                text: known(&mut given)?,
                 stay: given.truth_if("stay")?.unwrap_or_default(),
             },
             "watch" => Order::Watch {
-                text: Text::of(&mut given)?,
+                text: known(&mut given)?,
             },
             #[cfg(not(feature = "full"))]
             "settle" => return Err(No::More),
@@ -88,16 +95,5 @@ impl Order {
             },
             _ => return Err(wrong(&what).into()),
         })
-    }
-
-    /// Whether this module can do it: a program that is compiled takes the one that has everything.
-    ///
-    /// # Errors
-    /// [`No::More`]; what is wrong with a program is told when its turn comes.
-    pub fn needs_no_more(&self) -> Result<(), No> {
-        match self {
-            Order::Upload { text, .. } | Order::Watch { text } => text.needs_no_more(),
-            _ => Ok(()),
-        }
     }
 }

@@ -1,5 +1,7 @@
 //! The program that a board is said to run, and what of it is shown live.
 
+use crate::program::source;
+use crate::words::{self, No, both};
 use serde::Serialize;
 use unoclp_checked::SourceMap;
 use unoclp_client::diagnostics::{Kept, Trouble};
@@ -13,6 +15,7 @@ use unoclp_exercise::live::{Boxes, Flow, Lines, Mark, Twin};
 use unoclp_host_sim::engine::Machine;
 use unoclp_program::Source;
 use unoclp_program::used::is_real;
+use unoclp_workspace::Analysis;
 
 /// A program, to show a board by.
 pub struct Watched {
@@ -61,37 +64,38 @@ enum Shown {
 }
 
 impl Watched {
-    /// A program whose text is known.
-    pub fn new(source: Source) -> Watched {
-        let kept = Kept::of(source.program());
-        let boxes = Boxes::new(source.program());
-        let ladder = Ladder::new(source.program().steps());
-        let lines = Lines::new(&source);
-        let values = values(&source, &ladder);
-        let registers = source.program().registers() as u16;
+    /// The program of a text.
+    ///
+    /// # Errors
+    /// That there is none.
+    pub fn new(text: &Analysis) -> Result<Watched, No> {
+        let source = source(text)?;
+        let Some(ladder) = text.ladder() else {
+            return Err(both(words::faulty).into());
+        };
         let used = &source.size.used;
-        let parts = Parts {
-            markers: !used.markers.is_empty(),
-            analogue: !used.analogue.is_empty(),
-            registers: !used.registers.is_empty(),
-        };
-        let machine = Machine::new(source.checked);
-        let scope = Scope {
-            registers,
-            timers: machine.plc().timers(0).count() as u16,
-            counters: machine.plc().counters().count() as u16,
-        };
-        Watched {
-            kept,
+        // It was a program before.
+        let copy = source.checked.copy().map_err(|_| both(words::faulty))?;
+        let machine = Machine::new(copy);
+        Ok(Watched {
+            kept: Kept::of(source.program()),
+            boxes: Boxes::new(source.program()),
+            lines: Lines::new(source),
+            values: values(source, ladder),
+            parts: Parts {
+                markers: !used.markers.is_empty(),
+                analogue: !used.analogue.is_empty(),
+                registers: !used.registers.is_empty(),
+            },
+            scope: Scope {
+                registers: source.program().registers() as u16,
+                timers: machine.plc().timers(0).count() as u16,
+                counters: machine.plc().counters().count() as u16,
+            },
             twin: Twin::new(machine),
-            nets: ladder.nets,
-            boxes,
-            lines,
-            values,
-            map: source.map,
-            scope,
-            parts,
-        }
+            nets: ladder.nets.clone(),
+            map: source.map.clone(),
+        })
     }
 
     /// How much of a board there is to read for it.

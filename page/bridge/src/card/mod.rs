@@ -3,7 +3,7 @@
 mod room;
 
 use crate::given::{Given, wrong};
-use crate::program::Text;
+use crate::program::source;
 use crate::words::{self, Both, No, both};
 use room::BLOCK;
 use serde::Serialize;
@@ -12,6 +12,7 @@ use std::collections::BTreeMap;
 use unoclp_card::image::{Fat, Image};
 use unoclp_card::{Block, Device, File};
 use unoclp_program::not_sent;
+use unoclp_workspace::Analysis;
 
 /// The file in which the board keeps inputs and outputs, before it has done so.
 const STATE: &[u8] = include_bytes!("../../../../programs/STATE.TXT");
@@ -29,13 +30,13 @@ pub struct Card {
 ///
 /// # Errors
 /// Where it does not fit, or the program is for what is no board.
-pub fn card(program: Text, state: bool) -> Result<Card, No> {
-    let text = program.text.clone();
-    if !program.board.has_firmware() {
-        let source = program.program()?;
-        return Err(both(|lang| not_sent(&source, lang).unwrap_or_default()).into());
+pub fn card(program: &Analysis, state: bool) -> Result<Card, No> {
+    let written = program.written();
+    if !written.board.has_firmware() {
+        let source = source(program)?;
+        return Err(both(|lang| not_sent(source, lang).unwrap_or_default()).into());
     }
-    let mut image = Image::new(Fat::Fat16).file("PROGRAM.TXT", text);
+    let mut image = Image::new(Fat::Fat16).file("PROGRAM.TXT", written.text());
     if state {
         image = image.file("STATE.TXT", STATE);
     }

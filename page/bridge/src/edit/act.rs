@@ -1,12 +1,13 @@
 //! What may be done to a drawing, as a request gives it.
 
-use super::fields::Field;
-use super::words;
 use crate::given::{Given, wrong};
-use crate::program::Text;
+use crate::program::written;
 use crate::words::{Both, No, both};
+use unoclp_core::Board;
 use unoclp_draw::edit::{Along, Coil, Cursor, Direction, Edge, Id, Operation, Place, Row, Way};
+use unoclp_edit::{Amiss, Field, no_address};
 use unoclp_point::Address;
+use unoclp_program::Written;
 
 /// What may be done.
 pub enum Act {
@@ -25,7 +26,7 @@ pub enum Act {
     /// Says what a point is called and what it is for; likewise.
     Name(Address, Row, bool),
     /// Another text.
-    Text(Text),
+    Text(Written),
     Undo,
     Redo,
 }
@@ -35,14 +36,17 @@ impl Act {
     ///
     /// # Errors
     /// Where there is no such act, or it lacks something.
-    pub fn of(mut given: Given) -> Result<Act, No> {
+    pub fn of(mut given: Given, board: Board) -> Result<Act, No> {
         let what = given.text("do")?;
         Ok(Act::Do(match what.as_str() {
             "undo" => return Ok(Act::Undo),
             "redo" => return Ok(Act::Redo),
             "out" => return Ok(Act::Out),
             "move" => return Ok(Act::Move(direction(&mut given)?)),
-            "text" => return Ok(Act::Text(Text::of(&mut given)?)),
+            "text" => {
+                let (name, text) = (given.text("name")?, given.text("text")?);
+                return Ok(Act::Text(written(name, text, board)?));
+            }
             "insert" => return Ok(Act::Insert(given.text("what")?, place(&mut given)?)),
             "put" => {
                 let (what, at) = (given.text("what")?, id(&mut given, "at")?);
@@ -50,11 +54,11 @@ impl Act {
             }
             "edit" => {
                 let sure = given.truth_if("sure")?.unwrap_or_default();
-                return Ok(Act::Edit(Field::all(&mut given)?, sure));
+                return Ok(Act::Edit(fields(&mut given)?, sure));
             }
             "name" => {
                 let point = given.text("point")?;
-                let none = || No::from(both(|lang| words::no_address(lang, &point)));
+                let none = || Amiss::from(both(|lang| no_address(lang, &point)));
                 let point = Address::parse(&point).ok_or_else(|| none().at("point", Vec::new()))?;
                 let row = Row {
                     name: given.text("name")?,
@@ -93,6 +97,18 @@ impl Act {
             other => return Err(wrong(other).into()),
         }))
     }
+}
+
+fn fields(given: &mut Given) -> Result<Vec<Field>, Both> {
+    let fields = given.list("fields")?.into_iter();
+    let field = |value| {
+        let mut given = Given::of(value).ok_or_else(|| wrong("fields"))?;
+        Ok(Field {
+            key: given.text("key")?,
+            value: given.text("value")?.trim().to_owned(),
+        })
+    };
+    fields.map(field).collect()
 }
 
 fn lines(text: &str) -> Vec<String> {

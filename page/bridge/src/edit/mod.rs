@@ -1,53 +1,44 @@
 //! A program that a person draws: the one that is open, what is done to it, and what a page shows of it.
 //!
 //! - `act`: what may be done, as a request gives it
-//! - `palette`: the elements that can be inserted
-//! - `fields`: what an element has that can be changed, as a form has it
-//! - `view`: what a page shows
+//! - `shown`: what is known of the document that a page has; `view`: what a page shows of it
 //!
 //! A page keeps the text that a drawing began with and all that was done to it; both together are the drawing again,
 //! with all that can be undone. It must not know pointers and keys.
 
 mod act;
-mod fields;
-mod palette;
+mod shown;
 mod view;
-mod words;
 
 use crate::draw::Speak;
 use crate::given::Given;
-use crate::program::Text;
+use crate::program;
 use crate::words::{Both, No, both};
+use serde_json::Value;
+use shown::Shown;
 use unoclp_core::Board;
-use unoclp_draw::edit::{Cursor, Direction, Document, Editor, Operation};
-use unoclp_program::Lang;
-use unoclp_program::drawn::{self, WriteAs};
+use unoclp_draw::edit::{Cursor, Direction, Document, Drawn, Editor, Emitted, Operation, Refusal};
+use unoclp_edit::{Amiss, ask, find, insertion, naming, operations, unfinished};
+use unoclp_program::drawn::{self, Lost, WriteAs};
+use unoclp_program::{Lang, Written};
+use unoclp_workspace::{Analysis, Workspace};
 use view::View;
 
 pub use act::Act;
-pub use palette::palette;
-pub use words::no_drawing;
 
 /// The drawing that is open.
 pub struct Drawing {
     editor: Editor,
+    /// What its file is called.
+    name: String,
     /// How its text is written.
     form: WriteAs,
     /// The board that it is for.
     board: Board,
     /// The texts that a person has written, and what they say: they stay as they are.
-    written: Vec<(Document, String)>,
+    written: Vec<(Document, Written)>,
     /// What a page has of it.
     shown: Option<Shown>,
-}
-
-/// A document as a page has it.
-struct Shown {
-    document: Document,
-    width: usize,
-    lang: Lang,
-    /// None where it is not a program.
-    text: Option<String>,
 }
 
 /// The widest drawing, columns.
@@ -58,14 +49,19 @@ impl Drawing {
     ///
     /// # Errors
     /// Where it has errors, or what was done to it was done to another.
-    pub fn open(given: &mut Given) -> Result<Drawing, No> {
-        let text = Text::of(&mut given.below("base")?)?;
-        let log = given.list("log")?;
-        let form = form(&text);
-        let (written, board) = (text.text.clone(), text.board);
-        let editor = Editor::new(document(text)?);
+    pub fn open(
+        mut base: Given,
+        log: Vec<Value>,
+        board: Board,
+        workspace: &mut Workspace,
+    ) -> Result<Drawing, No> {
+        let text = program::written(base.text("name")?, base.text("text")?, board)?;
+        let form = form(&text.name);
+        let version = workspace.set_text(text.clone());
+        let editor = Editor::new(document(&*program::known(version, workspace)?)?);
         let mut drawing = Drawing {
-            written: vec![(editor.document().clone(), written)],
+            name: text.name.clone(),
+            written: vec![(editor.document().clone(), text)],
             editor,
             form,
             board,
@@ -74,11 +70,12 @@ impl Drawing {
         for act in log {
             let act = Given::of(act).ok_or_else(|| crate::given::wrong("log"))?;
             // Whatever there was to ask was asked before it was done.
-            drawing.act(match Act::of(act)? {
+            let act = match Act::of(act, board)? {
                 Act::Edit(fields, _) => Act::Edit(fields, true),
                 Act::Name(point, row, _) => Act::Name(point, row, true),
                 act => act,
-            })?;
+            };
+            drawing.act(act, workspace)?;
         }
         Ok(drawing)
     }
@@ -87,31 +84,31 @@ impl Drawing {
     ///
     /// # Errors
     /// Why not; then nothing has changed.
-    pub fn act(&mut self, act: Act) -> Result<(), No> {
+    pub fn act(&mut self, act: Act, workspace: &Workspace) -> Result<(), No> {
         match act {
-            Act::Undo => self.editor.undo().map_err(words::refused)?,
-            Act::Redo => self.editor.redo().map_err(words::refused)?,
+            Act::Undo => self.editor.undo().map_err(refused)?,
+            Act::Redo => self.editor.redo().map_err(refused)?,
             Act::Out => self.out(),
-            Act::Text(text) => self.replace(text)?,
-            Act::Do(operation) => self.editor.apply(&operation).map_err(words::refused)?,
+            Act::Text(text) => self.replace(text, workspace)?,
+            Act::Do(operation) => self.editor.apply(&operation).map_err(refused)?,
             Act::Insert(what, place) => {
-                let operations = palette::insertion(&what, place)?;
-                self.editor.apply_all(&operations).map_err(words::refused)?;
+                let operations = insertion(&what, place)?;
+                self.editor.apply_all(&operations).map_err(refused)?;
             }
             Act::Put(what, at, place) => {
                 let mut operations = vec![Operation::Select(Cursor::at(at))];
-                operations.extend(palette::insertion(&what, place)?);
-                self.editor.apply_all(&operations).map_err(words::refused)?;
+                operations.extend(insertion(&what, place)?);
+                self.editor.apply_all(&operations).map_err(refused)?;
             }
             Act::Edit(fields, sure) => {
                 let (here, cursor) = (self.here(), self.editor.cursor());
-                let operations = fields::operations(here, cursor, fields, sure)?;
-                self.editor.apply_all(&operations).map_err(words::refused)?;
+                let operations = operations(here, cursor, fields, sure)?;
+                self.editor.apply_all(&operations).map_err(refused)?;
             }
             Act::Name(point, row, sure) => {
-                fields::ask(self.here(), point, sure)?;
-                let operation = fields::naming(self.editor.document(), point, row)?;
-                self.editor.apply(&operation).map_err(words::refused)?;
+                ask(self.here(), point, sure)?;
+                let operation = naming(self.editor.document(), point, row)?;
+                self.editor.apply(&operation).map_err(refused)?;
             }
             Act::Move(direction) => self.go(direction)?,
         }
@@ -123,9 +120,8 @@ impl Drawing {
     }
 
     /// Another text in place of this one, as a change that can be undone. What it does not say of points stays.
-    fn replace(&mut self, text: Text) -> Result<(), No> {
-        let written = text.text.clone();
-        let document = document(text)?;
+    fn replace(&mut self, text: Written, workspace: &Workspace) -> Result<(), No> {
+        let document = document(&workspace.look(text.clone()))?;
         let table = self.editor.document().table();
         let rows = table.rows().filter_map(|(point, row)| {
             let mut row = row.clone();
@@ -139,7 +135,7 @@ impl Drawing {
         });
         let rows: Vec<_> = rows.collect();
         self.editor.replace(document.with_rows(rows));
-        self.written.push((self.editor.document().clone(), written));
+        self.written.push((self.editor.document().clone(), text));
         Ok(())
     }
 
@@ -163,7 +159,7 @@ impl Drawing {
         }
         self.editor
             .apply(&Operation::Move(direction))
-            .map_err(words::refused)?;
+            .map_err(refused)?;
         let document = self.editor.document();
         let is_rung = |id| document.position(id).is_some();
         if direction == Direction::Right && self.editor.cursor() == before {
@@ -172,47 +168,90 @@ impl Drawing {
                 .filter(|&around| !is_rung(around));
             if let Some(around) = around {
                 let select = Operation::Select(Cursor::at(around));
-                self.editor.apply(&select).map_err(words::refused)?;
+                self.editor.apply(&select).map_err(refused)?;
             }
         }
         Ok(())
     }
 
-    /// What a page shows of it; a drawing that it has already is left out.
-    ///
-    /// # Errors
-    /// Where the width is none.
-    pub fn view(&mut self, given: &mut Given) -> Result<View, No> {
-        let width = given.columns("width")?.min(WIDEST);
-        let lang = Lang::from(Speak::of(given)?);
-        let document = self.editor.document();
-        let same = self
-            .shown
-            .take()
-            .filter(|shown| shown.document == *document);
-        let is_drawn = matches!(&same, Some(shown) if shown.width == width && shown.lang == lang);
-        let text = match same {
-            Some(shown) => shown.text,
-            None => self.text_now(),
+    /// What a page shows of it in so many columns, under this name of its file; a drawing that it has already is left out.
+    pub fn view(
+        &mut self,
+        name: Option<String>,
+        board: Board,
+        (width, speak): (usize, Speak),
+        workspace: &mut Workspace,
+    ) -> View {
+        let (width, lang) = (width.min(WIDEST), Lang::from(speak));
+        self.board = board;
+        if let Some(name) = name {
+            self.name = name;
+        }
+        let same = self.shown.take();
+        let mut shown = match same
+            .filter(|shown| shown.is_of(self.editor.document(), self.board, &self.name))
+        {
+            Some(shown) => shown,
+            None => self.look(workspace),
         };
-        let wanted = (!is_drawn).then_some((width, lang));
-        let view = View::of(&self.editor, self.board, text.clone(), wanted);
-        self.shown = Some(Shown {
-            document: self.editor.document().clone(),
-            width,
-            lang,
-            text,
-        });
-        Ok(view)
+        let sheet = (shown.drawn_as != Some((width, lang)))
+            .then(|| view::sheet(self.editor.document(), &shown.drawn, width, lang));
+        shown.drawn_as = Some((width, lang));
+        let view = View::of(&self.editor, &shown, sheet);
+        self.shown = Some(shown);
+        view
     }
 
-    /// Its text: as a person has written it, else as it is drawn; none where it is not a program.
-    fn text_now(&self) -> Option<String> {
+    /// What there is to know of it: its codes are made once for its text, its mistakes and its ladder.
+    fn look(&self, workspace: &mut Workspace) -> Shown {
+        let name = self.name.clone();
         let document = self.editor.document();
+        let emitted = Emitted::of(document);
         let mut written = self.written.iter();
         let written = written.find(|(says, _)| says == document);
-        let written = written.map(|(_, text)| text.clone());
-        written.or_else(|| drawn::text(document, self.form, self.board).ok())
+        let written = written.map(|(_, written)| Written {
+            name: name.clone(),
+            board: self.board,
+            ..written.clone()
+        });
+        let is_written = written.is_some();
+        let (version, mistakes) = match written {
+            Some(written) => {
+                let version = workspace.set_text(written);
+                let analysis = workspace.analysis(version);
+                let is_program = analysis.is_some_and(|analysis| analysis.source().is_some());
+                let mistakes = match is_program {
+                    true => emitted.mistakes(),
+                    false => emitted.check(self.board),
+                };
+                (Some(version), mistakes)
+            }
+            None => match workspace.set_drawing(&emitted, &name, self.form, self.board) {
+                Ok(version) => (Some(version), emitted.mistakes()),
+                Err(mistakes) => (None, mistakes),
+            },
+        };
+        let analysis = version.and_then(|version| workspace.analysis(version));
+        let text = |version| Some((version, analysis.as_ref()?.written().text()));
+        let source = analysis.as_ref().filter(|_| is_written);
+        let loses = source.and_then(|analysis| {
+            let bytes = drawn::written(&emitted, self.form).into_bytes();
+            let drawing = Written {
+                bytes,
+                ..analysis.written().clone()
+            };
+            Lost::of(analysis.source()?, &drawing)
+        });
+        Shown {
+            document: document.clone(),
+            board: self.board,
+            name,
+            loses,
+            drawn: emitted.drawn(),
+            drawn_as: None,
+            text: version.and_then(text),
+            mistakes,
+        }
     }
 
     /// Its text in a form.
@@ -225,27 +264,33 @@ impl Drawing {
             "il" => WriteAs::Il,
             other => return Err(crate::given::wrong(other)),
         };
-        drawn::text(self.editor.document(), form, self.board).map_err(|_| both(words::unfinished))
+        drawn::text(self.editor.document(), form, self.board).map_err(|_| both(unfinished))
     }
 
     /// What has these words in it: elements and rungs, from top to bottom.
     pub fn find(&self, words: &str) -> Vec<u32> {
-        view::find(self.editor.document(), words)
+        let document = self.editor.document();
+        match &self.shown {
+            Some(shown) if shown.document == *document => find(document, &shown.drawn, words),
+            _ => find(document, &Drawn::of(document), words),
+        }
     }
 }
 
+fn refused(refusal: Refusal) -> No {
+    Amiss::from(refusal).into()
+}
+
 /// How the text of a drawing is written: numeric code where it came from that.
-fn form(text: &Text) -> WriteAs {
-    match text.name.to_ascii_lowercase().ends_with(".txt") {
+fn form(name: &str) -> WriteAs {
+    match name.to_ascii_lowercase().ends_with(".txt") {
         true => WriteAs::Numeric,
         false => WriteAs::Il,
     }
 }
 
 /// The document of a text; of one without an instruction, one empty rung.
-fn document(text: Text) -> Result<Document, No> {
-    match text.is_blank() {
-        true => Ok(drawn::blank(&text.text).unwrap_or_default()),
-        false => Ok(drawn::document(&text.program()?)),
-    }
+fn document(analysis: &Analysis) -> Result<Document, No> {
+    let document = analysis.document().cloned();
+    document.ok_or_else(|| both(crate::words::faulty).into())
 }

@@ -1,17 +1,32 @@
 //! What a page shows of a drawing.
 
-use super::fields;
-use super::words;
+use super::shown::Shown;
 use crate::words::{Both, both};
-use serde::Serialize;
-use unoclp_core::Board;
-use unoclp_draw::edit::{Canvas, Cursor, Document, Drawn, Editor, Id, Node, Place, Rung, visit};
-use unoclp_draw::{Area, Element, Symbol};
+use serde::{Serialize, Serializer};
+use unoclp_draw::Area;
+use unoclp_draw::edit::{Canvas, Document, Drawn, Editor, Place};
+use unoclp_edit::{At, wrong};
 use unoclp_program::Lang;
 use unoclp_program::list::title;
 
 /// A rectangle of the drawing: left and upper edge, width, height.
-type Rectangle = [f32; 4];
+#[derive(Debug)]
+struct Rectangle([f32; 4]);
+
+/// Nearly all are whole, and there are thousands of them.
+impl Serialize for Rectangle {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let whole = self.0.map(|value| value as i32);
+        let is_whole = whole
+            .iter()
+            .zip(self.0)
+            .all(|(&whole, value)| whole as f32 == value);
+        match is_whole {
+            true => whole.serialize(serializer),
+            false => self.0.serialize(serializer),
+        }
+    }
+}
 
 /// What a page shows.
 #[derive(Debug, Serialize)]
@@ -29,8 +44,11 @@ pub struct View {
     mistakes: Vec<Told>,
     /// Whether the drawing is a program.
     is_program: bool,
-    /// Its text; none where it is not a program.
+    /// The version of its text, and that; none where it is not a program.
+    version: Option<u32>,
     text: Option<String>,
+    /// What a change loses of the text that a person has written; none: nothing.
+    loses: Option<Both>,
     title: String,
     table: Vec<Named>,
     /// Whether there is something to paste.
@@ -39,24 +57,11 @@ pub struct View {
 
 /// The drawing.
 #[derive(Debug, Serialize)]
-struct Sheet {
+pub struct Sheet {
     svg: String,
     area: Rectangle,
     spots: Vec<(u32, Rectangle)>,
     places: Vec<(u32, &'static str, Rectangle)>,
-}
-
-/// What is at the cursor.
-#[derive(Debug, Serialize)]
-struct At {
-    /// `rung`, `path`, `element`, `branch` or `run`.
-    what: &'static str,
-    /// What a person hears of it.
-    say: Both,
-    /// Its rung, from 1.
-    rung: usize,
-    comment: String,
-    fields: Vec<fields::Shown>,
 }
 
 /// A mistake.
@@ -78,25 +83,13 @@ struct Named {
 }
 
 impl View {
-    /// What there is to show; the drawing of so many columns in a language, if that is wanted.
-    pub fn of(
-        editor: &Editor,
-        board: Board,
-        text: Option<String>,
-        wanted: Option<(usize, Lang)>,
-    ) -> View {
+    /// What there is to show.
+    pub(super) fn of(editor: &Editor, shown: &Shown, sheet: Option<Sheet>) -> View {
         let (document, cursor) = (editor.document(), editor.cursor());
-        let drawn = Drawn::of(document);
-        let sheet = wanted.map(|(width, lang)| {
-            let title = title(lang);
-            let about = document.title().first().cloned().unwrap_or_default();
-            let canvas = drawn.canvas(document, width, &|number| title(number, None), &about);
-            Sheet::of(canvas)
-        });
         let selected = document.within(cursor);
-        let mistakes: Vec<Told> = document
-            .check(board)
-            .into_iter()
+        let mistakes: Vec<Told> = shown
+            .mistakes
+            .iter()
             .map(|mistake| Told {
                 at: mistake.at.map(|id| id.0),
                 rung: mistake
@@ -104,21 +97,27 @@ impl View {
                     .and_then(|id| document.rung_of(id))
                     .map_or(0, |at| at + 1),
                 error: mistake.what.is_error(),
-                message: both(|lang| unoclp_program::edit::wrong(lang, mistake.what)),
+                message: both(|lang| wrong(lang, mistake.what)),
             })
             .collect();
         let (undo, redo) = editor.depth();
         let rows = document.table().rows();
+        let text = shown.text.as_ref();
         View {
             sheet,
             cursor: [cursor.from.0, cursor.to.0],
-            at: At::of(document, &drawn, cursor, &selected),
+            at: At::of(document, &shown.drawn, cursor, &selected),
             selected: selected.into_iter().map(|id| id.0).collect(),
             undo,
             redo,
             is_program: mistakes.iter().all(|told| !told.error),
             mistakes,
-            text,
+            version: text.map(|(version, _)| version.0),
+            text: text.map(|(_, text)| text.clone()),
+            loses: shown
+                .loses
+                .as_ref()
+                .map(|lost| both(|lang| lost.text(lang))),
             title: document.title().join("\n"),
             table: rows
                 .map(|(point, row)| Named {
@@ -132,9 +131,16 @@ impl View {
     }
 }
 
+/// The drawing of a document, of so many columns, in a language.
+pub fn sheet(document: &Document, drawn: &Drawn, width: usize, lang: Lang) -> Sheet {
+    let title = title(lang);
+    let about = document.title().first().cloned().unwrap_or_default();
+    Sheet::of(drawn.canvas(document, width, &|number| title(number, None), &about))
+}
+
 impl Sheet {
     fn of(canvas: Canvas) -> Sheet {
-        let rectangle = |area: Area| [area.x, area.y, area.width, area.height];
+        let rectangle = |area: Area| Rectangle([area.x, area.y, area.width, area.height]);
         let places = canvas.places.into_iter().map(|opening| {
             let place = match opening.place {
                 Place::Before => "before",
@@ -152,115 +158,5 @@ impl Sheet {
                 .collect(),
             places: places.collect(),
         }
-    }
-}
-
-impl At {
-    fn of(document: &Document, drawn: &Drawn, cursor: Cursor, selected: &[Id]) -> At {
-        let rung = document.rung_of(cursor.to).unwrap_or(0);
-        let comment = document
-            .rungs()
-            .nth(rung)
-            .map(|rung| rung.comment.join("\n"));
-        let comment = comment.unwrap_or_default();
-        let place = rung + 1;
-        let (what, say, fields) = if document.position(cursor.from).is_some() {
-            let about = comment.replace('\n', " ");
-            let say = both(|lang| words::at_rung(lang, place, &about));
-            ("rung", say, Vec::new())
-        } else if cursor.from != cursor.to {
-            let count = selected.len();
-            (
-                "run",
-                both(|lang| words::at_run(lang, count, place)),
-                Vec::new(),
-            )
-        } else if let Some(element) = document.element(cursor.from) {
-            let symbol = symbol(document, drawn, cursor.from);
-            let say = both(|lang| words::at_element(lang, described(lang, &symbol), place));
-            ("element", say, fields::shown(document, element))
-        } else if selected.len() == 1 && is_path(document, cursor.from) {
-            ("path", both(|lang| words::at_path(lang, place)), Vec::new())
-        } else {
-            (
-                "branch",
-                both(|lang| words::at_branch(lang, place)),
-                Vec::new(),
-            )
-        };
-        At {
-            what,
-            say,
-            rung: place,
-            comment,
-            fields,
-        }
-    }
-}
-
-fn is_path(document: &Document, id: Id) -> bool {
-    let mut is = false;
-    for rung in document.rungs() {
-        visit(&rung.series, &mut |node: &Node| {
-            is |= node.paths().iter().any(|path| path.id == id);
-        });
-    }
-    is
-}
-
-/// What is drawn for an element: the symbol, and the name of its point.
-fn symbol(document: &Document, drawn: &Drawn, id: Id) -> (Option<Symbol>, String) {
-    let index = drawn.elements.iter().position(|of| *of == id);
-    let element = index.and_then(|index| drawn.ladder.elements.get(index));
-    let row = element.and_then(|element| document.table().get(element.point?));
-    let name = row.map_or_else(String::new, |row| row.name.clone());
-    (element.map(|element| element.symbol.clone()), name)
-}
-
-fn described(lang: Lang, (symbol, name): &(Option<Symbol>, String)) -> String {
-    let text = match symbol {
-        Some(Symbol::Contact {
-            closed: false,
-            text,
-        }) => words::say_open(lang, text),
-        Some(Symbol::Contact { closed: true, text }) => words::say_closed(lang, text),
-        Some(Symbol::Coil { letter, text }) => words::say_coil(lang, letter, text),
-        Some(Symbol::Box { text, .. } | Symbol::Leave { text, .. }) => text.clone(),
-        Some(Symbol::Inline(text)) => (*text).to_owned(),
-        None => String::new(),
-    };
-    format!("{text} {name}").trim_end().to_owned()
-}
-
-/// The elements and rungs that have these words in what is drawn of them, in their names or comments.
-pub fn find(document: &Document, words: &str) -> Vec<u32> {
-    let words = words.trim().to_lowercase();
-    if words.is_empty() {
-        return Vec::new();
-    }
-    let has = |text: &str| text.to_lowercase().contains(&words);
-    let drawn = Drawn::of(document);
-    let Drawn {
-        ladder, elements, ..
-    } = &drawn;
-    let names = document.table();
-    let mut found: Vec<u32> = Vec::new();
-    let about = |rung: &&Rung| rung.comment.iter().any(|line| has(line));
-    found.extend(document.rungs().filter(about).map(|rung| rung.id.0));
-    for (element, id) in ladder.elements.iter().zip(elements) {
-        let row = element.point.and_then(|point| names.get(point));
-        let is = has(text(element)) || row.is_some_and(|row| has(&row.name) || has(&row.comment));
-        if is && !found.contains(&id.0) {
-            found.push(id.0);
-        }
-    }
-    found
-}
-
-fn text(element: &Element) -> &str {
-    match &element.symbol {
-        Symbol::Contact { text, .. } | Symbol::Coil { text, .. } => text,
-        Symbol::Box { text, .. } | Symbol::Leave { text, .. } => text,
-        Symbol::Inline(text) => text,
     }
 }

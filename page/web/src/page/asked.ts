@@ -10,6 +10,6 @@ export async function asked<T>(answer: Promise<T>, then: (told: T) => void): Pro
     then(await answer);
   } catch (error) {
     if (!(error instanceof Refusal)) throw error;
-    note(told(error.both));
+    note(() => told(error.both));
   }
 }

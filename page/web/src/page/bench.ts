@@ -2,7 +2,7 @@
 
 import type { Event, Pins } from "unoclp-uno";
 import type { Line } from "../line/line";
-import type { Asks, BoardFacts, Both, News, Order, Seen, Settings, Text } from "../tools/answers";
+import type { Ask, BoardFacts, Both, News, Order, Seen, Settings, Text } from "../tools/answers";
 import type { Modules } from "../tools/modules";
 import { Died, NeedsMore, Refusal, Tools } from "../tools/tools";
 import { NoLine } from "../line/none";
@@ -134,10 +134,10 @@ export class Bench {
     this.paused.value = false;
   }
 
-  private opening(program: Text | null, reset: boolean): Asks["open"]["ask"] {
+  private opening(program: Text | null, reset: boolean): Ask<"open"> {
     // This computer has no program until it is given one.
-    const core = this.where.value === "core" ? { program: null, core: true, board: this.board.value.id } : {};
-    return { program, reset, ...this.way, ...core };
+    const core = this.where.value === "core" ? { of: null, core: true, board: this.board.value.id } : {};
+    return { of: program, reset, ...this.way, ...core };
   }
 
   private isWhole = false;
@@ -247,7 +247,7 @@ export class Bench {
 
   /** Watches the board by a program that it has. */
   async watch(text: Text): Promise<void> {
-    await this.order({ do: "watch", ...text });
+    await this.order({ do: "watch", of: text });
     this.on.value = text;
   }
 
@@ -256,7 +256,7 @@ export class Bench {
     this.upload.value = { share: 0 };
     try {
       this.takeTime();
-      const said = await this.order({ do: "upload", ...text, board: this.board.value.id });
+      const said = await this.order({ do: "upload", of: text, board: this.board.value.id });
       if (said) this.tell(said);
     } finally {
       this.upload.value = null;

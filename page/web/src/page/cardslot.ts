@@ -63,7 +63,7 @@ export class CardSlot {
       return;
     }
     this.put(image);
-    note(say("cardReset"));
+    note(() => say("cardReset"));
   }
 
   /** The bytes of a card with the program of the editor. */
@@ -83,12 +83,12 @@ export class CardSlot {
 
   /** Puts in a card that somebody has read with a tool of their own; says how much room is left on it. */
   async load(file: File): Promise<void> {
-    if (file.size > LARGEST) return note(say("cardTooLarge"));
+    if (file.size > LARGEST) return note(() => say("cardTooLarge"));
     const image = new Uint8Array(await file.arrayBuffer());
     const free = image.length > 0 && image.length % BLOCK === 0 ? await this.tools.ask("free", { blocks: blocksOf(image) }) : null;
-    if (free === null) return note(say("cardNone"));
+    if (free === null) return note(() => say("cardNone"));
     this.put(image);
-    note(say(free === 0 ? "cardFull" : "cardReset"));
+    note(() => say(free === 0 ? "cardFull" : "cardReset"));
   }
 
   remove(): void {

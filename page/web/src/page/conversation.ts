@@ -2,7 +2,8 @@
 
 import type { SerialFormat } from "unoclp-uno";
 import type { Line } from "../line/line";
-import type { Asks, News, Order } from "../tools/answers";
+import type { Ask, News, Order } from "../tools/answers";
+import type { Asks } from "../tools/asks";
 import { Died, type Tools } from "../tools/tools";
 
 /** The time by which a board lives: a simulated one may stand, or be slow. */
@@ -37,7 +38,7 @@ export class Conversation {
   /** Opens a line and begins to speak. `heard` gets all bytes that come, `lost` is called when the line closes by itself. */
   static async open(
     tools: Tools,
-    open: Asks["open"]["ask"],
+    open: Ask<"open">,
     line: Line,
     format: SerialFormat,
     clock: Clock,
@@ -71,7 +72,7 @@ export class Conversation {
   }
 
   /** Goes on by other tools, on the same line, which stays open: the board does not notice. */
-  move(tools: Tools, open: Asks["open"]["ask"]): void {
+  move(tools: Tools, open: Ask<"open">): void {
     if (this.over) return;
     const board = tools.ask("open", open);
     this.leave();

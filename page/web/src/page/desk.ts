@@ -63,14 +63,14 @@ export class Desk {
     const { bench } = this;
     if (!why || this.offered || !this.port || bench.where.value !== "desk" || bench.identity.value) return;
     this.offered = true;
-    note(`${told(why)}. ${say("offerFirmware")}`, { text: say("putFirmware"), take: () => void this.flash() });
+    note(() => `${told(why)}. ${say("offerFirmware")}`, { text: () => say("putFirmware"), take: () => void this.flash() });
   }
 
   /** Lets a person choose a port, and speaks to what is there. */
   private async join(): Promise<void> {
     if (this.token !== null) return this.speak(new GatewayLine(gateway(), this.token, (shared) => (this.shared = shared)));
     const { serial } = navigator as { serial?: Serial };
-    if (!serial) return note(isSecureContext ? say("noSerial") : say("noSecure", { host: location.host }));
+    if (!serial) return note(() => (isSecureContext ? say("noSerial") : say("noSecure", { host: location.host })));
     try {
       this.port = await serial.requestPort();
     } catch {
@@ -81,13 +81,13 @@ export class Desk {
   }
 
   private async speak(line: Line): Promise<void> {
-    const again = { text: say("connect"), take: () => void this.join() };
-    const lost = (): void => note(say(this.token === null ? "portLost" : "sharedLost"), again);
+    const again = { text: () => say("connect"), take: () => void this.join() };
+    const lost = (): void => note(() => say(this.token === null ? "portLost" : "sharedLost"), again);
     this.offered = false;
     try {
       await this.bench.connect("desk", line, this.token === null, lost);
     } catch (error) {
-      note(say(this.token === null ? "portBusy" : "sharedClosed", { why: error instanceof Error ? error.message : String(error) }));
+      note(() => say(this.token === null ? "portBusy" : "sharedClosed", { why: error instanceof Error ? error.message : String(error) }));
       await this.leave();
     }
   }
@@ -109,11 +109,11 @@ export class Desk {
       const failure = await flash(tools, new PortLine(this.port), hex, model.name, (share) => {
         this.about.textContent = say("flashing", { percent: Math.round(share * 100) });
       });
-      const said = failure ? told(failure) : say("flashed");
+      const said = (): string => (failure ? told(failure) : say("flashed"));
       note(said);
-      announce(said);
+      announce(said());
     } catch (error) {
-      note(error instanceof Refusal ? told(error.both) : say("portBusy", { why: String(error) }));
+      note(() => (error instanceof Refusal ? told(error.both) : say("portBusy", { why: String(error) })));
     } finally {
       this.show();
       await this.speak(new PortLine(this.port));

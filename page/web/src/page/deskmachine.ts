@@ -1,7 +1,8 @@
 // A machine of this page beside a board on the desk: the board's outputs are read, its inputs are forced, by as much time as
 // passes from one reading to the next. It knows nothing of how a machine is drawn.
 
-import type { Asks, Both, MachineFacts, Order, Seen } from "../tools/answers";
+import type { Ask, Both, MachineFacts, Order, Seen } from "../tools/answers";
+import type { Asks } from "../tools/asks";
 import { bitsOf, hasBit } from "../tools/bits";
 import { Refusal, type Tools } from "../tools/tools";
 import { both } from "../words/words";
@@ -45,7 +46,7 @@ export class DeskMachine implements Machines {
     board.seen.follow((seen) => this.step(seen));
   }
 
-  async ask<K extends MachineAsk>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]> {
+  async ask<K extends MachineAsk>(what: K, request: Ask<K>): Promise<Asks[K]["answer"]> {
     const { refused } = this;
     if (refused) {
       this.refused = null;

@@ -116,7 +116,7 @@ export class ProgramDocument {
 
   private async check(text: Text): Promise<Checked> {
     try {
-      return await this.tools.ask("check", text);
+      return await this.tools.ask("check", { of: text });
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       return unseen(error.both);

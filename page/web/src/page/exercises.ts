@@ -95,14 +95,14 @@ export class Exercises {
       exercise = plant ? { ...read, plant } : read;
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
-      note(say("fileNoExercise", { why: told(error.both) }));
+      note(() => say("fileNoExercise", { why: told(error.both) }));
       return false;
     }
     await this.load();
     this.all = [...this.all.filter((one) => one.name !== file.name), exercise];
     this.at = this.all.length - 1;
     this.appear();
-    note(say("exerciseOpened"));
+    note(() => say("exerciseOpened"));
     return true;
   }
 
@@ -242,7 +242,8 @@ export class Exercises {
 
   private async check(exercise: Exercise): Promise<void> {
     const machine = this.machineOf(exercise);
-    if (exercise.sheet.plant && !machine) note(say("noMachineFile", { name: exercise.sheet.plant }));
+    const { plant } = exercise.sheet;
+    if (plant && !machine) note(() => say("noMachineFile", { name: plant }));
     const passed = await exercise.verdict.check(this.program, exercise.scenario, exercise.name, machine);
     if (!passed || exercise.passed) return;
     this.pass(exercise);
@@ -266,7 +267,7 @@ export class Exercises {
 /** A file of a teacher that is wrong is left out, and told. */
 function refused(error: unknown): null {
   if (!(error instanceof Refusal)) throw error;
-  note(say("fileNoExercise", { why: told(error.both) }));
+  note(() => say("fileNoExercise", { why: told(error.both) }));
   return null;
 }
 

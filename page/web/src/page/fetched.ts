@@ -12,6 +12,6 @@ export async function fetched<T>(file: string): Promise<readonly T[] | null> {
   } catch {
     // Told below.
   }
-  note(say("fileBroken", { file }));
+  note(() => say("fileBroken", { file }));
   return null;
 }

@@ -10,12 +10,12 @@ const LONGEST = 1 << 20;
 /** The text of a file; null where it is none, which is told. */
 export async function read(file: File): Promise<Text | null> {
   if (file.size > LONGEST) {
-    note(say("fileTooLarge"));
+    note(() => say("fileTooLarge"));
     return null;
   }
   const bytes = new Uint8Array(await file.arrayBuffer());
   const text = decode(bytes);
-  if (text === null) note(say("fileNoText"));
+  if (text === null) note(() => say("fileNoText"));
   return text === null ? null : { name: file.name, text };
 }
 

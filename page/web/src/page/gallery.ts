@@ -85,7 +85,7 @@ export class Gallery {
     this.dialog.close();
     await this.machine.open(listed);
     const { solution } = listed;
-    if (solution) note(told(listed.title), { text: sayCommon("machineSolve"), take: () => this.open(solution) });
+    if (solution) note(() => told(listed.title), { text: () => sayCommon("machineSolve"), take: () => this.open(solution) });
   }
 
   private async solve(name: string): Promise<void> {

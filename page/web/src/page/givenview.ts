@@ -39,7 +39,7 @@ export class GivenView {
 
   private async draw(given: Given, paper: HTMLElement, is: string): Promise<void> {
     try {
-      const { svg } = await this.tools.ask("ladder", { name: "given.il", text: given.text, width: WIDTH, speak: speak.value });
+      const { svg } = await this.tools.ask("ladder", { of: { name: "given.il", text: given.text }, width: WIDTH, speak: speak.value });
       // Drawn by our own Rust, which escapes every text in it.
       if (this.shown === is) paper.innerHTML = svg;
     } catch (error) {

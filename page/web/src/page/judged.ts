@@ -14,19 +14,19 @@ import { Replay } from "./replay";
 
 /** Judges it, and shows in this element what came of it. */
 export async function judge(tools: RemoteTools, program: ProgramDocument, { name: plant, text: plantText }: MachineFile, into: HTMLElement): Promise<void> {
-  if (program.lacks.value > 0) return note(whyNot(program));
+  if (program.lacks.value > 0) return note(() => whyNot(program));
   const text = program.text.value;
   try {
-    const { passed, why, at } = await tools.ask("trial", { ...text, plant, plantText });
+    const { passed, why, at } = await tools.ask("trial", { of: text, plant, plantText });
     const line = h("p", { class: `verdict ${passed ? "good" : "bad"}`, id: "machine-judged-verdict", role: "status" }, why ? told(why) : say("judgedWell"));
     into.replaceChildren(line);
     announce(line.textContent ?? "");
     if (!why || at === null) return;
-    const replay = new Replay(tools, { ...text, plant, plantText, at, why });
+    const replay = new Replay(tools, { of: text, plant, plantText, at, why });
     into.append(replay.element);
     await replay.load(true);
   } catch (error) {
     if (!(error instanceof Refusal)) throw error;
-    note(told(error.both));
+    note(() => told(error.both));
   }
 }

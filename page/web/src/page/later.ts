@@ -9,7 +9,7 @@ export function later<T>(load: () => Promise<T>): () => Promise<T | null> {
   return () => {
     part ??= load().catch((error: unknown) => {
       part = null;
-      note(say("loadFailed", { why: error instanceof Error ? error.message : String(error) }));
+      note(() => say("loadFailed", { why: error instanceof Error ? error.message : String(error) }));
       return null;
     });
     return part;

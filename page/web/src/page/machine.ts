@@ -94,7 +94,7 @@ export class MachineArea {
       this.show(facts);
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
-      note(told(error.both));
+      note(() => told(error.both));
       // One that was there before this file stays where it was; beside a board on the desk its inputs have been let go.
       if (this.file?.text === file.text || this.beside === "desk") this.forget();
     }
@@ -183,7 +183,7 @@ export class MachineArea {
       this.tell((await this.mover?.ask("machineName", { part, fault })) ?? null);
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
-      note(told(error.both));
+      note(() => told(error.both));
     }
   }
 
@@ -298,7 +298,7 @@ export class MachineArea {
       return ((await this.mover?.ask(what, request as never)) ?? null) as MachineLook | null;
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
-      note(told(error.both));
+      note(() => told(error.both));
       this.forget();
       return null;
     }

@@ -2,7 +2,8 @@
 // program that it runs, and that of a board on the desk (`deskmachine.ts`) with the page's tools.
 
 import type { ForMachine, OfMachine } from "../board/messages";
-import type { Asks } from "../tools/answers";
+import type { Ask } from "../tools/answers";
+import type { Asks } from "../tools/asks";
 import type { Modules } from "../tools/modules";
 import { Refusal, type Tools } from "../tools/tools";
 import { both } from "../words/words";
@@ -11,7 +12,7 @@ export type MachineAsk = Extract<keyof Asks, `machine${string}`>;
 
 /** Who answers for a machine. */
 export interface Machines {
-  ask<K extends MachineAsk>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]>;
+  ask<K extends MachineAsk>(what: K, request: Ask<K>): Promise<Asks[K]["answer"]>;
   /** Another board is at hand, and the machine is moved elsewhere. */
   leave(): void;
 }
@@ -20,7 +21,7 @@ export interface Machines {
 export class OwnMachine implements Machines {
   constructor(private readonly tools: () => Tools) {}
 
-  async ask<K extends MachineAsk>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]> {
+  async ask<K extends MachineAsk>(what: K, request: Ask<K>): Promise<Asks[K]["answer"]> {
     return this.tools().ask(what, request);
   }
 
@@ -51,7 +52,7 @@ export class WorkerMachine implements Machines {
     });
   }
 
-  async ask<K extends MachineAsk>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]> {
+  async ask<K extends MachineAsk>(what: K, request: Ask<K>): Promise<Asks[K]["answer"]> {
     await this.send();
     const id = ++this.last;
     const answered = await new Promise<OfMachine>((resolve) => {

@@ -43,7 +43,7 @@ async function load(): Promise<void> {
   const first = program.text.value;
   const board = new Worker("board.js", { type: "module" });
   const tools = await Tools.of(module);
-  const bench = new Bench(tools, modules, board, (both) => note(told(both)));
+  const bench = new Bench(tools, modules, board, (both) => note(() => told(both)));
   const forBoard = new ForBoard(tools, program);
 
   byId("stuck").remove();
@@ -51,7 +51,7 @@ async function load(): Promise<void> {
     changed: (text) => {
       program.text.value = { ...program.text.value, text };
     },
-    tooLong: () => note(say("textTooLong")),
+    tooLong: () => note(() => say("textTooLong")),
   });
   holdFast(program);
   const put = (work: Text & Partial<Work>): Work => {
@@ -64,7 +64,7 @@ async function load(): Promise<void> {
     const before = put(work);
     const isNothing = before.text.trim() === "" && !before.drawing?.log.length;
     if (isNothing || (before.text === work.text && before.drawing === (work.drawing ?? null))) return;
-    note(say(back ? "restored" : "replaced"), { text: say(back ? "redo" : "undo"), take: () => open(before, !back) });
+    note(() => say(back ? "restored" : "replaced"), { text: () => say(back ? "redo" : "undo"), take: () => open(before, !back) });
   };
   const learning = later(async () => new (await import("./learning")).Learning(remote, program, open, (inputs) => panel.normallyClosed(inputs), machine));
   /** Opens files: machines first, which the exercises beside them may need. */
@@ -87,7 +87,7 @@ async function load(): Promise<void> {
   const unsent = (): Both | null => program.whole?.made.unsent ?? null;
   const slot = new CardSlot(bench, remote, () => (unsent() ? null : (program.whole?.made.code ?? null)), () => {
     const why = unsent();
-    note(why ? told(why) : whyNot(program));
+    note(() => (why ? told(why) : whyNot(program)));
   });
   const card = new CardTab(slot);
   const settings = h("div");
@@ -118,11 +118,11 @@ async function load(): Promise<void> {
     if (carried === undefined) return;
     history.replaceState(null, "", location.pathname + location.search);
     const [text, plant] = carried ? pairs(carried.parts) : [];
-    if (!carried || !text) return note(say("linkBroken"));
+    if (!carried || !text) return note(() => say("linkBroken"));
     if (carried.kind === "p") {
       moveOn();
       put(text);
-      note(say("linkOpened"));
+      note(() => say("linkOpened"));
     } else if (carried.kind === "m") await machine.open({ ...text, isOwn: true });
     else await (await learning())?.take(text, plant ? [plant] : []);
   };
@@ -170,7 +170,7 @@ function stuck(): void {
 /** Tells of a program that the browser does not keep, and asks before it would be lost. */
 function holdFast(program: ProgramDocument): void {
   program.isKept.follow((is) => {
-    if (!is) note(say("notKept"), { text: say("saveFile"), take: () => download(program.text.value.name, program.text.value.text) });
+    if (!is) note(() => say("notKept"), { text: () => say("saveFile"), take: () => download(program.text.value.name, program.text.value.text) });
   });
   addEventListener("beforeunload", (event) => {
     if (!program.isKept.value) event.preventDefault();
@@ -180,5 +180,5 @@ function holdFast(program: ProgramDocument): void {
 load().catch((error: unknown) => {
   console.error(error);
   const why = error instanceof Error ? error.message : String(error);
-  note(say("loadFailed", { why }), { text: say("reload"), take: () => location.reload() }, true);
+  note(() => say("loadFailed", { why }), { text: () => say("reload"), take: () => location.reload() }, true);
 });

@@ -73,7 +73,7 @@ export class OnBoard {
     if (this.known?.text === on) return;
     const looked = this.program.looked.value;
     const isWritten = looked !== null && looked.text.text === on.text && looked.text.name === on.name;
-    const made = isWritten ? looked.checked.program : (await this.tools.ask("check", on)).program;
+    const made = isWritten ? looked.checked.program : (await this.tools.ask("check", { of: on })).program;
     if (!made || this.bench.on.value !== on) return;
     this.known = { text: on, made };
     this.ran = [{ ...on, kept: stored }, ...this.ran.filter(({ kept }) => !same(kept, stored))].slice(0, MOST);

@@ -82,6 +82,7 @@ export class ProgramView {
       root.dataset["view"] = view;
       keep("view", view);
       buttons.forEach((button, index) => button.setAttribute("aria-pressed", String(VIEWS[index] === view)));
+      this.ladderNow();
       if (view === "draw" || this.screen) void this.drawing().then((screen) => screen?.show(root.dataset["view"] === "draw"));
     };
     show(VIEWS.find((view) => view === kept("view")) ?? "both");
@@ -123,16 +124,23 @@ export class ProgramView {
     const ladderNote = byId("ladder-note");
     ladderNote.hidden = program !== null;
     ladderNote.textContent = say(this.drawn === null ? "noLadder" : "ladderOld");
-    if (program) void this.draw(looked);
+    this.ladderNow();
     this.live();
+  }
+
+  /** Draws the ladder, where there is one and it is on the screen. */
+  private ladderNow(): void {
+    const looked = this.program.looked.value;
+    const isShown = ["both", "ladder"].includes(byId("views").dataset["view"] ?? "");
+    if (looked?.checked.program && isShown) void this.draw(looked);
   }
 
   /** Gives the points of another PLC a place on this board, which can be undone. */
   private async adapt(text: Text): Promise<void> {
-    await asked(this.tools.ask("adapt", text), (adapted) => {
+    await asked(this.tools.ask("adapt", { of: text }), (adapted) => {
       if (adapted === null) return;
       this.open({ ...text, text: adapted.text });
-      if (adapted.left.length > 0) note(say("adaptLeft", { points: adapted.left.join(", ") }));
+      if (adapted.left.length > 0) note(() => say("adaptLeft", { points: adapted.left.join(", ") }));
     });
   }
 
@@ -140,7 +148,7 @@ export class ProgramView {
     const key = `${speak.value}\n${text.name}\n${text.text}`;
     if (key === this.drawn) return;
     this.drawn = key;
-    const { svg } = await this.tools.ask("ladder", { ...text, width: 64, speak: speak.value });
+    const { svg } = await this.tools.ask("ladder", { of: text, width: 64, speak: speak.value });
     // Another was asked for meanwhile.
     if (key !== this.drawn) return;
     this.ladder.show(svg);

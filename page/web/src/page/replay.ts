@@ -1,6 +1,6 @@
 // What went wrong with a machine, seen again: its pictures from two seconds before, and beneath them the timing diagram.
 
-import type { Asks, Both, Replayed } from "../tools/answers";
+import type { Ask, Both, Replayed } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { Refusal } from "../tools/tools";
 import { say } from "../words/learn";
@@ -12,7 +12,7 @@ import { Scene } from "./scene";
 import { seconds } from "./seconds";
 
 /** Which program, which machine, and what went wrong when. */
-export interface Wanted extends Omit<Asks["replay"]["ask"], "speak" | "why"> {
+export interface Wanted extends Omit<Ask<"replay">, "speak" | "why"> {
   readonly why: Both;
 }
 
@@ -50,7 +50,7 @@ export class Replay {
       this.got = await this.tools.ask("replay", { ...rest, why: told(why), speak: speak.value });
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
-      note(told(error.both));
+      note(() => told(error.both));
       return;
     }
     const { svg, diagram, frames } = this.got;

@@ -25,7 +25,7 @@ export async function copyLink(kind: Kind, parts: readonly string[]): Promise<vo
   const link = await linkOf(kind, parts, location.href);
   try {
     await navigator.clipboard.writeText(link);
-    note(say(kind === "p" ? "shared" : "sharedOther"));
+    note(() => say(kind === "p" ? "shared" : "sharedOther"));
   } catch {
     prompt(say("sharedShown"), link);
   }

@@ -22,7 +22,7 @@ export function startControl(bench: Bench, program: ProgramDocument, forBoard: F
     if (!program.whole) {
       if (program.lacks.value > 0) goDraw();
       else tabs.open("problems");
-      return note(whyNot(program));
+      return note(() => whyNot(program));
     }
     try {
       if (!(await atHand())) return;
@@ -30,7 +30,7 @@ export function startControl(bench: Bench, program: ProgramDocument, forBoard: F
       bench.on.value = looked.text;
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
-      note(told(error.both));
+      note(() => told(error.both));
     }
   };
   /** The board that the program is for is at hand; said where another is. */
@@ -42,7 +42,7 @@ export function startControl(bench: Bench, program: ProgramDocument, forBoard: F
     }
     const unsent = program.whole?.made.unsent;
     if (bench.where.value === "desk") {
-      note(unsent ? told(unsent) : whyNot(program));
+      note(() => (unsent ? told(unsent) : whyNot(program)));
       return false;
     }
     await bench.useCore(chosen);

@@ -73,7 +73,7 @@ function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {
   const text = program.text.value;
   const code = program.whole?.made.code;
   const stem = text.name.replace(/\.\w+$/, "");
-  const shown = { ...text, width: 80, speak: speak.value };
+  const shown = { of: text, width: 80, speak: speak.value };
   const saved = code === undefined ? [] : [
     entry(say("saveCode"), () => download("PROGRAM.TXT", code)),
     entry(say("saveDrawing"), () => void asked(remote.ask("list", { ...shown, as: "svg" }), (svg) => download(`${stem}.svg`, svg, SVG))),
@@ -108,11 +108,11 @@ function write(): void {
 function save(program: ProgramDocument): void {
   const { name, text } = program.text.value;
   download(name, text);
-  if (program.lacks.value > 0) note(say("savedUnfinished"));
+  if (program.lacks.value > 0) note(() => say("savedUnfinished"));
 }
 
 async function shareLink(program: ProgramDocument): Promise<void> {
   const text = program.text.value;
-  if (program.lacks.value > 0) note(say("savedUnfinished"));
+  if (program.lacks.value > 0) note(() => say("savedUnfinished"));
   await copyLink("p", [text.name, text.text]);
 }

@@ -24,20 +24,20 @@ export class Verdict {
   async check(program: ProgramDocument, scenario: string, title: string, machine: Text | null = null): Promise<boolean> {
     // What is not a program yet passes nothing, whatever the last one did.
     if (program.lacks.value > 0) {
-      note(whyNot(program));
+      note(() => whyNot(program));
       return false;
     }
     const text = program.text.value;
     this.replay = null;
     try {
-      this.came = await this.tools.ask("exercise", { ...text, scenario, title, plant: machine?.name, plantText: machine?.text });
+      this.came = await this.tools.ask("exercise", { of: text, scenario, title, plant: machine?.name, plantText: machine?.text });
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       this.came = error;
     }
     const fared = this.came instanceof Refusal ? null : this.came.machine;
     if (machine && fared?.why && fared.at !== null) {
-      this.replay = new Replay(this.tools, { ...text, plant: machine.name, plantText: machine.text, scenario, at: fared.at, why: fared.why });
+      this.replay = new Replay(this.tools, { of: text, plant: machine.name, plantText: machine.text, scenario, at: fared.at, why: fared.why });
       void this.replay.load(true);
     }
     this.spoken = speak.value;

@@ -236,7 +236,7 @@ export class Panels {
       submit: (event) => {
         event.preventDefault();
         const number = Number(input.value.trim().replace(",", "."));
-        if (input.value.trim() === "" || !(number >= item.least && number <= item.most)) return note(say("panelOutside", limits));
+        if (input.value.trim() === "" || !(number >= item.least && number <= item.most)) return note(() => say("panelOutside", limits));
         void this.write(item, number).then((taken) => {
           if (taken) input.value = "";
         });

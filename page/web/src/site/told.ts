@@ -39,5 +39,5 @@ const WHY: Readonly<Record<string, SiteKey>> = {
 
 /** Says why something was not done. */
 export function refused(why: string): void {
-  note(say(WHY[why] ?? "whyOther"));
+  note(() => say(WHY[why] ?? "whyOther"));
 }

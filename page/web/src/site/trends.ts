@@ -94,7 +94,7 @@ export class Trends {
       box.addEventListener("change", () => {
         if (box.checked && this.chosen.size >= MOST) {
           box.checked = false;
-          note(say("trendMost"));
+          note(() => say("trendMost"));
         } else if (box.checked) this.chosen.add(key);
         else this.chosen.delete(key);
         void this.draw();

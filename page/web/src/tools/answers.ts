@@ -1,4 +1,6 @@
-// What the Rust of unoclp answers a page, as wasm/src has it. Nothing here but types.
+// What the Rust of unoclp answers a page, as page/bridge has it. Nothing here but types; what may be asked is in `asks.ts`.
+
+import type { Asks } from "./asks";
 
 /** A text in both languages. */
 export interface Both {
@@ -18,6 +20,13 @@ export type LanguageName = "il" | "st" | "scl" | "iscl" | "lce" | "xml" | "numer
 export interface Text {
   readonly name: string;
   readonly text: string;
+}
+
+/** A text that something is asked about: the tools ask Rust by its version. */
+export interface Of {
+  readonly of: Text;
+  /** The board that it is for, where it is not the usual one. */
+  readonly board?: string | undefined;
 }
 
 export interface Problem {
@@ -269,8 +278,8 @@ export type Order =
   /** Of what this computer runs alone: a board has contacts and knobs of its own. */
   | { readonly do: "press"; readonly input: number; readonly closed: boolean }
   | { readonly do: "turn"; readonly input: number; readonly reading: number }
-  | ({ readonly do: "upload"; readonly stay?: boolean; readonly board?: string } & Text)
-  | ({ readonly do: "watch" } & Text)
+  | ({ readonly do: "upload"; readonly stay?: boolean } & Of)
+  | ({ readonly do: "watch" } & Of)
   | { readonly do: "settle"; readonly settings: Settings };
 
 export interface Step {
@@ -344,8 +353,11 @@ export interface Drawn {
   readonly redo: number;
   readonly mistakes: readonly { readonly at: number | null; readonly rung: number; readonly error: boolean; readonly message: Both }[];
   readonly isProgram: boolean;
-  /** Null where the drawing is not a program yet. */
+  /** The version of its text, and that; null where the drawing is not a program yet. */
+  readonly version: number | null;
   readonly text: string | null;
+  /** What a change loses of the text that a person has written; null: nothing. */
+  readonly loses: Both | null;
   readonly title: string;
   readonly table: readonly { readonly point: string; readonly name: string; readonly comment: string }[];
   readonly copied: boolean;
@@ -409,53 +421,10 @@ export interface Searched {
   readonly found: boolean;
 }
 
-/** What may be asked, and what is answered. */
-export interface Asks {
-  board: { ask: { board?: string }; answer: BoardFacts };
-  check: { ask: Text & { board?: string }; answer: Checked };
-  ladder: { ask: Text & { width: number; speak: Speak }; answer: { readonly svg: string } };
-  list: { ask: Text & { as: "ladder" | "il" | "st" | "numeric" | "svg" | "xml"; width: number; speak: Speak }; answer: string };
-  /** A text of another PLC with free points in the place of those that its board lacks, and those that found none; null in a
-   * language whose points are names of its own. */
-  adapt: { ask: Text; answer: { text: string; left: readonly string[] } | null };
-  /** The ladder on pages of paper. */
-  pages: { ask: Text & { letter: boolean; width: number; speak: Speak }; answer: readonly string[] };
-  sheet: { ask: { scenario: string; title: string }; answer: Sheet };
-  exercise: { ask: Text & { scenario: string; title: string; plant?: string | undefined; plantText?: string | undefined }; answer: Outcome };
-  /** Whether a program does what a machine asks. */
-  trial: { ask: Text & { plant: string; plantText: string }; answer: Fared };
-  /** A number for all that a machine is with a program in each of so many ms. */
-  trace: { ask: Text & { plant: string; plantText: string; ms: number }; answer: string };
-  replay: { ask: Text & { plant: string; plantText: string; scenario?: string; at: number; why: string; speak: Speak }; answer: Replayed };
-  /** The picture of a machine that stands. */
-  picture: { ask: Text & { speak: Speak }; answer: string };
-  card: { ask: { program: string; state: boolean }; answer: CardImage };
-  /** A file of a card, from the blocks that are not empty. */
-  read: { ask: { blocks: CardImage["blocks"]; name: string }; answer: string | null };
-  /** Bytes that are free on a card; null where it has no FAT16 or FAT32. */
-  free: { ask: { blocks: CardImage["blocks"] }; answer: number | null };
-  /** `keep`: the one that is open goes on, and is told in this language. */
-  machine: { ask: { name: string; text: string; speak: Speak; keep?: boolean; board?: string; find?: string }; answer: MachineFacts };
-  /** Somebody forces a point of the board: a step of a search. */
-  machineForced: { ask: object; answer: null };
-  machineName: { ask: { part: number; fault: string }; answer: Searched | null };
-  machineLook: { ask: object; answer: MachineLook };
-  machineHand: { ask: { part: number; value: number; to: number }; answer: null };
-  machineFault: { ask: { part: number; fault: string; is: boolean }; answer: null };
-  machineReset: { ask: object; answer: null };
-  machineClose: { ask: object; answer: null };
-  palette: { ask: object; answer: readonly Shelf[] };
-  draw: { ask: { base: Text; log: readonly Act[]; width: number; speak: Speak }; answer: Drawn };
-  edit: { ask: { act: Act | null; width: number; speak: Speak }; answer: Drawn };
-  drawn: { ask: { as: "numeric" | "il" }; answer: string };
-  find: { ask: { words: string }; answer: readonly number[] };
-  /** `core`: this computer runs the programs of the board, and there is no line. */
-  open: { ask: { program: Text | null; reset: boolean; core?: boolean; board?: string; rate?: number; parity?: number; address?: number }; answer: number };
-  step: { ask: { board: number; now: number; came: readonly number[] }; answer: Step };
-  order: { ask: { board: number; order: Order }; answer: number };
-  flash: { ask: { hex: string; model: string }; answer: number };
-  flashStep: { ask: { now: number; came: readonly number[] }; answer: FlashStep };
-  flashLose: { ask: { why: string }; answer: null };
-  lose: { ask: { board: number; why: string }; answer: null };
-  close: { ask: { board: number }; answer: null };
-}
+/** What a program is listed as. */
+export type As = "ladder" | "il" | "st" | "numeric" | "svg" | "xml";
+
+/** What the page asks, with a text in place of its version: the tools know which that is. */
+export type Ask<K extends keyof Asks> = WithText<Asks[K]["ask"]>;
+type WithText<A> = A extends { readonly version: number } ? Omit<A, "version"> & Of
+  : A extends { readonly version: number | null } ? Omit<A, "version"> & { readonly of: Text | null } : A;

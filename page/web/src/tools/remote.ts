@@ -1,6 +1,7 @@
 // The same tools in a worker: asked now, answered later.
 
-import type { Asks } from "./answers";
+import type { Ask } from "./answers";
+import type { Asks } from "./asks";
 import type { Modules } from "./modules";
 import { both } from "../words/words";
 import { Refusal } from "./tools";
@@ -28,7 +29,7 @@ export class RemoteTools {
   }
 
   /** Asks, or throws a `Refusal`. What takes more than the first module has waits for the one that has everything. */
-  async ask<K extends keyof Asks>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]> {
+  async ask<K extends keyof Asks>(what: K, request: Ask<K>): Promise<Asks[K]["answer"]> {
     let answered = await this.once(what, request);
     if (answered.more) {
       await this.grow();

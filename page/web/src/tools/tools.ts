@@ -1,6 +1,7 @@
 // The Rust of unoclp: one text in, one text out.
 
-import type { Asks, Wrong } from "./answers";
+import type { Ask, Text, Wrong } from "./answers";
+import type { Asks } from "./asks";
 
 /** What the module exports; wasm/src/lib.rs says how it is called. */
 interface Exports {
@@ -17,6 +18,9 @@ interface Exports {
 /** The places of `Wires` in Rust. */
 const OUTPUTS = 99;
 const READINGS = 100;
+
+/** Texts whose versions are kept here; Rust keeps more. */
+const TEXTS = 4;
 
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
@@ -38,6 +42,8 @@ export class Tools {
   private dead = false;
   /** Where a machine reads its outputs, until the memory grows. */
   private shares = new Uint8Array();
+  /** The texts that were asked about last, the last one last. */
+  private readonly known: (Text & { readonly board: string | undefined; readonly version: number })[] = [];
 
   private constructor(
     private readonly rust: Exports,
@@ -55,7 +61,7 @@ export class Tools {
   }
 
   /** Asks, or throws a `Refusal`, `NeedsMore`, or `Died`: what a module says after it has broken down is worth nothing. */
-  ask<K extends keyof Asks>(what: K, request: Asks[K]["ask"]): Asks[K]["answer"] {
+  ask<K extends keyof Asks>(what: K, request: Ask<K>): Asks[K]["answer"] {
     return this.alive(() => this.call(what, request));
   }
 
@@ -88,8 +94,10 @@ export class Tools {
     }
   }
 
-  private call<K extends keyof Asks>(what: K, request: Asks[K]["ask"]): Asks[K]["answer"] {
-    const text = encoder.encode(JSON.stringify({ ask: what, ...request }));
+  private call<K extends keyof Asks>(what: K, request: Ask<K>): Asks[K]["answer"] {
+    const asked = request as Request;
+    const { order } = asked;
+    const text = encoder.encode(JSON.stringify({ ask: what, ...this.versioned(asked), ...(order && { order: this.versioned(order) }) }));
     const room = this.rust.unoclp_room(text.length);
     new Uint8Array(this.rust.memory.buffer, room, text.length).set(text);
     const length = this.rust.unoclp_call();
@@ -98,6 +106,42 @@ export class Tools {
     const told = JSON.parse(decoder.decode(answer)) as { ok?: unknown; error?: Wrong; more?: true };
     if (told.more) throw new NeedsMore();
     if (told.error) throw new Refusal(told.error);
+    this.hear(asked, told.ok);
     return told.ok as Asks[K]["answer"];
   }
+
+  /** A request with the version of its text in place of that. */
+  private versioned({ of, ...rest }: Request): object {
+    return of ? { ...rest, version: this.version(of, rest.board) } : rest;
+  }
+
+  /** The version of a text: Rust is given each text once. */
+  private version({ name, text }: Text, board: unknown): number {
+    const of = typeof board === "string" ? board : undefined;
+    const at = this.known.findIndex((one) => one.text === text && one.name === name && one.board === of);
+    const [known] = at < 0 ? [{ name, text, board: of, version: this.call("text", { name, text, board: of }) }] : this.known.splice(at, 1);
+    return this.know(known!);
+  }
+
+  /** A drawing has a text of its own, whose version comes with it. */
+  private hear({ name, board }: Request, answer: unknown): void {
+    const { version, text } = (answer ?? {}) as { version?: unknown; text?: unknown };
+    if (typeof version !== "number" || typeof text !== "string" || name === undefined) return;
+    this.know({ name, text, board: typeof board === "string" ? board : undefined, version });
+  }
+
+  private know(known: (typeof this.known)[number]): number {
+    this.known.push(known);
+    if (this.known.length > TEXTS) this.known.shift();
+    return known.version;
+  }
+}
+
+/** What a request may have that is about a text. */
+interface Request {
+  readonly of?: Text | null;
+  /** The board that a text is for, by its name; a conversation has a number. */
+  readonly board?: string | number | undefined;
+  readonly name?: string;
+  readonly order?: Request;
 }

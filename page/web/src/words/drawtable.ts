@@ -62,6 +62,8 @@ export const DRAW = {
   drawEmpty: ["Begin an empty drawing", "Começar um desenho vazio"],
   readOnly: ["This program is written in another language. Its ladder can be seen, but not changed.", "Este programa está em outra linguagem. O ladder pode ser visto, mas não editado."],
   drawCopy: ["Draw a copy of it", "Desenhar uma cópia"],
+  drawHere: ["Change this text", "Mudar este texto"],
+  copyName: ["copy", "copia"],
   inRung: ["Rung {rung}", "Degrau {rung}"],
   drawProblems: ["What is missing or wrong", "O que falta ou está errado"],
 } as const;

@@ -41,7 +41,7 @@ function card(tools: Tools, program: string): Uint8Array {
 async function cost(module: WebAssembly.Module, name: string): Promise<{ lost: number; drawing: number }> {
   const tools = await Tools.of(module);
   const text = file(`${name}.toml`);
-  const made = tools.ask("check", { name: `${name}.st`, text: file(`${name}.st`) }).program;
+  const made = tools.ask("check", { of: { name: `${name}.st`, text: file(`${name}.st`) } }).program;
   if (!made) throw new Error(name);
   const session = new Session(() => {}, () => 0);
   session.obey({ kind: "firmware", bytes: new Uint8Array(readFileSync(new URL("unoclp.bin", page))) });

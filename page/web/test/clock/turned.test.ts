@@ -42,7 +42,7 @@ test("a wait goes on at the speed to which a board has come meanwhile", async ()
   const line = { open: async () => undefined, write: async () => undefined, reset: async () => undefined, close: async () => undefined } satisfies Line;
   const nothing = (): void => undefined;
   tell({ kind: "pace", at: 0, factor: 0.1, asked: 1 });
-  const talk = await Conversation.open({ ask } as unknown as Tools, { program: null, reset: false }, line, { baud: 115_200, parity: "none" },
+  const talk = await Conversation.open({ ask } as unknown as Tools, { of: null, reset: false }, line, { baud: 115_200, parity: "none" },
     board, (_: News) => undefined, nothing, nothing, nothing);
   assert.equal(steps.length, 1);
   // At a tenth of real time it would be 10 s; after one of them the board goes at full speed.

@@ -447,3 +447,55 @@ for (const [locale, end, names] of /** @type {const} */ ([
     await page.context().close();
   });
 }
+
+test("what a drawing would lose of a text is told before the first change, and a copy keeps the text", async () => {
+  const TYPED = "VAR\n    n : ARRAY[1..3] OF INT;\nEND_VAR\n\nLD n[1]\nGT 5\nST Q1\n";
+  const page = await lab.still();
+  await type(page, TYPED, "mine.il");
+  await page.click("#view-draw");
+  const banner = page.locator("#draw-banner");
+  await banner.filter({ hasText: "loses: declarations of types, blocks and arrays" }).waitFor();
+  // What is drawn is seen, and no key changes it.
+  await page.locator("#sheet .element").first().waitFor();
+  await page.focus("#sheet");
+  await page.keyboard.press("ArrowRight");
+  await page.locator("#sheet .element.selected").waitFor();
+  await page.keyboard.press("Delete");
+  await page.keyboard.press("ArrowDown");
+  assert.equal(await keptText(page), TYPED);
+  await page.selectOption("#speak", "pt");
+  await banner.filter({ hasText: "reescreve este texto e perde: declarações de tipos" }).waitFor();
+  await page.selectOption("#speak", "en");
+  await page.click("#draw-copy");
+  await page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.getElementById("name")).value === "mine-copy.il");
+  await banner.waitFor({ state: "hidden" });
+  await page.focus("#sheet");
+  await keys(page, "c =I1 Enter");
+  assert.match(await keptText(page), /827301/);
+  // The text is where it was.
+  await page.locator("#notes button", { hasText: "Undo" }).click();
+  await page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.getElementById("name")).value === "mine.il");
+  assert.equal(await keptText(page), TYPED);
+  await page.context().close();
+});
+
+test("a person who lets a drawing rewrite a text gets it back by undo", async () => {
+  const COMMENTED = "LD I1 (* start *)\nANDN I2 (* stop *)\nST Q1\n";
+  const page = await lab.still();
+  await type(page, COMMENTED, "mine.il");
+  await page.click("#view-draw");
+  await page.locator("#draw-banner", { hasText: "2 lines of comments, such as “start”" }).waitFor();
+  await page.click("#draw-agree");
+  await page.locator("#draw-banner").waitFor({ state: "hidden" });
+  await page.focus("#sheet");
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("n");
+  await page.locator("#draw-undo:enabled").waitFor();
+  await page.waitForFunction((text) => document.querySelector(".cm-content")?.textContent !== text.replaceAll("\n", ""), COMMENTED);
+  assert.doesNotMatch(await keptText(page), /start/);
+  await page.keyboard.press("Control+z");
+  await page.locator("#draw-undo:disabled").waitFor();
+  assert.equal(await keptText(page), COMMENTED);
+  assert.ok(await page.isHidden("#draw-banner"));
+  await page.context().close();
+});

@@ -24,9 +24,11 @@ export async function load(file) {
 }
 
 /** @typedef {Awaited<ReturnType<typeof load>>} Call */
-/** @param {Call} call @param {unknown} request */
+/** Asks; the text that something is asked of, `of`, is given first, as the page does. @param {Call} call @param {any} request */
 export function ask(call, request) {
-  return JSON.parse(call(new TextEncoder().encode(JSON.stringify(request))));
+  const answer = (/** @type {unknown} */ asked) => JSON.parse(call(new TextEncoder().encode(JSON.stringify(asked))));
+  const { of, ...rest } = request;
+  return answer(of ? { ...rest, version: answer({ ask: "text", board: rest.board, ...of }).ok } : rest);
 }
 
 /** Numbers below a limit, always the same ones (mulberry32). @param {number} seed */

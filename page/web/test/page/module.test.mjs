@@ -14,23 +14,27 @@ const ST = { name: "a.st", text: "PROGRAM p VAR q AT %QX1 : BOOL; END_VAR q := T
 const GOOD = [
   { ask: "board" },
   { ask: "board", board: "nano" },
-  { ask: "check", ...IL },
-  { ask: "check", ...FIRST },
-  { ask: "ladder", ...FIRST, width: 64, speak: "en" },
-  { ask: "check", ...ST },
-  { ask: "check", name: "P.TXT", text: "0\n787600\n827301\n877901\n" },
-  { ask: "ladder", ...IL, width: 64, speak: "pt" },
-  { ask: "list", ...IL, width: 64, speak: "en", as: "numeric" },
-  { ask: "list", ...IL, width: 64, speak: "en", as: "xml" },
-  { ask: "pages", ...IL, width: 64, speak: "pt", letter: false },
-  { ask: "exercise", ...IL, title: "x", scenario: "until = 5" },
+  { ask: "text", ...IL },
+  { ask: "text", ...FIRST },
+  { ask: "text", ...ST },
+  { ask: "text", name: "P.TXT", text: "0\n787600\n827301\n877901\n" },
+  { ask: "check", version: 1 },
+  { ask: "check", version: 4 },
+  { ask: "check", version: 2 },
+  { ask: "ladder", version: 2, width: 64, speak: "en" },
+  { ask: "check", version: 3 },
+  { ask: "ladder", version: 1, width: 64, speak: "pt" },
+  { ask: "list", version: 1, width: 64, speak: "en", as: "numeric" },
+  { ask: "list", version: 1, width: 64, speak: "en", as: "xml" },
+  { ask: "pages", version: 1, width: 64, speak: "pt", letter: false },
+  { ask: "exercise", version: 1, title: "x", scenario: "until = 5" },
   { ask: "card", program: "0\n787600\n", state: true },
   { ask: "read", blocks: [[0, "00ff"]], name: "STATE.TXT" },
-  { ask: "open", program: IL, reset: false, rate: 9600 },
+  { ask: "open", version: 1, reset: false, rate: 9600 },
   { ask: "step", board: 1, now: 12.5, came: [1, 43, 14] },
-  { ask: "order", board: 1, order: { do: "upload", ...IL, stay: true } },
-  { ask: "order", board: 1, order: { do: "upload", ...FIRST, stay: true } },
-  { ask: "order", board: 1, order: { do: "watch", ...ST } },
+  { ask: "order", board: 1, order: { do: "upload", version: 1, stay: true } },
+  { ask: "order", board: 1, order: { do: "upload", version: 2, stay: true } },
+  { ask: "order", board: 1, order: { do: "watch", version: 3 } },
   { ask: "order", board: 1, order: { do: "set", point: "D1", value: -7 } },
   { ask: "flash", hex: ":00000001FF", model: "uno" },
   { ask: "flashStep", now: 1, came: [20, 16] },
@@ -57,29 +61,29 @@ for (const file of ["unoclp.wasm", "unoclp-full.wasm"]) {
     const call = await load(file);
     const { ok: uno } = ask(call, { ask: "board" });
     assert.deepEqual([uno.name, uno.inputs, uno.outputs, uno.shared.length], ["UNO", 8, 4, 4]);
-    const { ok } = ask(call, { ask: "check", ...FIRST });
+    const { ok } = ask(call, { ask: "check", of: FIRST });
     assert.equal(ok.language, "il");
     assert.match(ok.program.code, /877901/);
     assert.deepEqual(ok.colours.slice(0, 6), [0, 63, 0, 1, 3, 4]);
-    assert.match(ask(call, { ask: "ladder", ...FIRST, width: 64, speak: "pt" }).ok.svg, /Degrau 1/);
-    const wrong = ask(call, { ask: "check", name: "P.TXT", text: "0\n787601\n" }).ok;
+    assert.match(ask(call, { ask: "ladder", of: FIRST, width: 64, speak: "pt" }).ok.svg, /Degrau 1/);
+    const wrong = ask(call, { ask: "check", of: { name: "P.TXT", text: "0\n787601\n" } }).ok;
     assert.notEqual(wrong.problems[0].message.en, wrong.problems[0].message.pt);
-    const board = ask(call, { ask: "open", program: null, reset: false }).ok;
+    const board = ask(call, { ask: "open", version: null, reset: false }).ok;
     // It waits, and asks who is there (Modbus, read device identification).
     let step = { send: [], until: 0 };
     while (step.send.length === 0) step = ask(call, { ask: "step", board, now: step.until, came: [] }).ok;
     assert.deepEqual(step.send.slice(0, 4), [1, 43, 14, 1]);
     if (isFull) {
-      const { ok: timed } = ask(call, { ask: "check", ...IL });
+      const { ok: timed } = ask(call, { ask: "check", of: IL });
       assert.match(timed.program.code, /847978/);
       assert.deepEqual(timed.colours.slice(0, 6), [0, 2, 4, 1, 2, 2]);
-      assert.match(ask(call, { ask: "ladder", ...IL, width: 64, speak: "pt" }).ok.svg, /Degrau 1/);
-      const misspelt = ask(call, { ask: "check", name: "a.il", text: "LDD I1" }).ok;
+      assert.match(ask(call, { ask: "ladder", of: IL, width: 64, speak: "pt" }).ok.svg, /Degrau 1/);
+      const misspelt = ask(call, { ask: "check", of: { name: "a.il", text: "LDD I1" } }).ok;
       assert.notEqual(misspelt.problems[0].message.en, misspelt.problems[0].message.pt);
     }
     // What is compiled takes the module that has everything, and the smaller one says so.
     for (const [text, language] of /** @type {const} */ ([[IL, "il"], [ST, "st"]])) {
-      const compiled = ask(call, { ask: "check", ...text });
+      const compiled = ask(call, { ask: "check", of: text });
       assert.deepEqual(isFull ? compiled.ok.language : compiled, isFull ? language : { more: true });
     }
     assert.ok(ask(call, { ask: "none" }).error.pt);

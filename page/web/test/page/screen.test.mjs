@@ -79,6 +79,18 @@ test("a browser in Portuguese gets Portuguese, and a switch changes it", async (
   await page.context().close();
 });
 
+test("a note that stands speaks the other language after a switch, and so does what it offers", async () => {
+  const page = await lab.still();
+  await page.click("#menu-fileMenu");
+  await page.locator(".menu button", { hasText: /^New$/ }).click();
+  const note = page.locator("#notes > div");
+  await note.filter({ hasText: "Your program was replaced" }).getByRole("button", { name: "Undo" }).waitFor();
+  await page.selectOption("#speak", "pt");
+  await note.filter({ hasText: "Seu programa foi substituído" }).getByRole("button", { name: "Desfazer" }).waitFor();
+  assert.equal(await note.count(), 1);
+  await page.context().close();
+});
+
 test("at 390 × 844 nothing lies beside the screen, and a finger runs a program", async () => {
   const page = await lab.open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "the page scrolls sideways");

@@ -16,6 +16,12 @@ pub struct Both {
     pub pt: String,
 }
 
+impl From<&Both> for unoclp_words::Both {
+    fn from(told: &Both) -> unoclp_words::Both {
+        unoclp_words::both(|lang| told.text(lang).to_owned())
+    }
+}
+
 /// A text as it stands in a file.
 #[derive(Deserialize)]
 #[serde(untagged)]

@@ -1,24 +1,28 @@
 //! A document as Instruction List, with its names declared.
 
-use super::parts::{named, rungs};
+use super::parts::named;
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use unoclp_core::Board;
 use unoclp_core::isa::{Class, Opcode};
-use unoclp_core::{Board, Program};
-use unoclp_draw::edit::{Document, Row};
-use unoclp_lang::{Dialect, Options, compile, instructions_to_il};
+use unoclp_draw::edit::{Emitted, Row};
+use unoclp_lang::{Dialect, Options, compile, instructions_to_il, spelled};
 use unoclp_point::Address;
 
-/// The rungs under what they are about, with the names that Instruction List takes.
-pub(super) fn text(document: &Document, program: &Program<'_>) -> String {
-    let plain = instructions_to_il(program.steps(), program.board());
-    let board = program.board();
+/// The rungs under what they are about, with the names of points, as far as that can be told without compiling it.
+pub(super) fn text(emitted: &Emitted<'_>) -> String {
+    written(emitted, &spelled(emitted.steps()), &names(emitted))
+}
+
+/// The same, compiled until it comes to the codes of the document: with the names that Instruction List takes.
+pub(super) fn compiled(emitted: &Emitted<'_>, board: Board) -> String {
+    let plain = instructions_to_il(emitted.steps(), board);
     let wanted = codes(&plain, board);
-    let all: Vec<Name<'_>> = names(document, program);
+    let all: Vec<Name<'_>> = names(emitted);
     let points: Vec<Name<'_>> = all.iter().filter(|name| name.is_bit()).copied().collect();
     // A name that means something else in the language stays out, and with it those that are likewise.
     for names in [&all[..], &points, &[]] {
-        let text = written(document, program, &plain, names);
+        let text = written(emitted, &plain, names);
         if wanted.is_some() && codes(&text, board) == wanted {
             return text;
         }
@@ -114,10 +118,10 @@ impl Name<'_> {
 }
 
 /// The names of the points that the program uses, and of all inputs, outputs and markers.
-fn names<'d>(document: &'d Document, program: &Program<'_>) -> Vec<Name<'d>> {
+fn names<'e>(emitted: &'e Emitted<'_>) -> Vec<Name<'e>> {
     let mut kinds: BTreeMap<Address, &'static str> = BTreeMap::new();
     let mut timers = 0;
-    for step in program.steps() {
+    for step in emitted.steps() {
         match (step.opcode.class(), step.opcode, Address::of(step)) {
             (Class::Timer, opcode, _) => {
                 timers += 1;
@@ -142,7 +146,7 @@ fn names<'d>(document: &'d Document, program: &Program<'_>) -> Vec<Name<'d>> {
         Address::Label(_) => None,
         other => kinds.get(&other).copied(),
     };
-    named(document)
+    named(emitted.document())
         .filter_map(|(point, row)| {
             let kind = kind(point)?;
             Some(Name { point, row, kind })
@@ -159,7 +163,8 @@ fn timer(opcode: Opcode) -> &'static str {
     }
 }
 
-fn written(document: &Document, program: &Program<'_>, plain: &str, names: &[Name<'_>]) -> String {
+fn written(emitted: &Emitted<'_>, plain: &str, names: &[Name<'_>]) -> String {
+    let document = emitted.document();
     let mut text = String::new();
     for line in document.title() {
         comment(&mut text, line);
@@ -172,12 +177,12 @@ fn written(document: &Document, program: &Program<'_>, plain: &str, names: &[Nam
         .iter()
         .map(|name| (name.spelled(), name.row.name.as_str()))
         .collect();
-    let heads = rungs(document, program);
+    let mut rungs = emitted.rungs();
     for (index, lines) in plain.split("\n\n").enumerate() {
         if index > 0 {
             text.push('\n');
         }
-        for line in heads.get(index).iter().flat_map(|(_, rung)| &rung.comment) {
+        for line in rungs.next().iter().flat_map(|(rung, _)| &rung.comment) {
             comment(&mut text, line);
         }
         for line in lines.lines() {

@@ -4,17 +4,20 @@
 //! Must not know which operations there are, nor screens.
 
 mod il;
+mod lost;
 mod numeric;
 mod parts;
 
-use crate::{Language, Source, load, names, point_names};
+use crate::{Language, Source, Written, WrittenIn, names, symbols};
 use unoclp_core::Board;
+use unoclp_core::isa::START;
 use unoclp_draw::Ladder;
-use unoclp_draw::edit::{Document, Mistake, Row};
+use unoclp_draw::edit::{Document, Emitted, Mistake, Row};
 use unoclp_lang::{Declared, DeclaredPoint, declared};
 use unoclp_point::Address;
 
 pub use il::{blank_text, is_name, name_of};
+pub use lost::Lost;
 
 /// What a document is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +32,7 @@ pub enum WriteAs {
 pub fn document(source: &Source) -> Document {
     let steps = source.program().steps();
     let mut names = names(&source.map, &Ladder::new(source.program().steps()));
-    for (point, name) in point_names(source) {
+    for (point, name) in symbols(source, &names) {
         if let Some(point) = Address::parse(&point) {
             names.insert(point, name);
         }
@@ -74,26 +77,63 @@ fn with_declared(document: Document, points: Vec<DeclaredPoint>) -> Document {
 /// # Errors
 /// What is wrong in it, where a board takes no such program.
 pub fn text(document: &Document, form: WriteAs, board: Board) -> Result<String, Vec<Mistake>> {
-    let codes = document.codes()?;
-    let file: String = codes.iter().map(|code| format!("{code}\n")).collect();
-    let wrong = || {
-        let mistakes = document.check(board).into_iter();
-        mistakes
-            .filter(|mistake| mistake.what.is_error())
-            .collect::<Vec<_>>()
-    };
-    let checked = load(file.as_bytes(), board).map_err(|_| wrong())?;
-    let program = checked.program();
+    let emitted = Emitted::of(document);
+    let text = written(&emitted, form);
+    let name = String::new();
+    let open = Written::new(name, text.clone().into_bytes(), board).or_in(Some(form.into()));
+    match open.check(None) {
+        Ok(source) if says(&source, &emitted) => Ok(text),
+        _ => rewritten(&emitted, form, board),
+    }
+}
+
+/// The text of a document, which nobody has compiled yet: where it does not come to the same codes, it is
+/// [written again](rewritten).
+pub fn written(emitted: &Emitted<'_>, form: WriteAs) -> String {
+    match form {
+        WriteAs::Numeric => numeric::text(emitted),
+        WriteAs::Il => il::text(emitted),
+    }
+}
+
+/// The text of a document, compiled until it comes to its codes; what would make it something else stays out.
+///
+/// # Errors
+/// All that is wrong in the document, where a board takes no such program.
+pub fn rewritten(
+    emitted: &Emitted<'_>,
+    form: WriteAs,
+    board: Board,
+) -> Result<String, Vec<Mistake>> {
+    let mistakes = emitted.check(board);
+    if mistakes.iter().any(|mistake| mistake.what.is_error()) {
+        return Err(mistakes);
+    }
     Ok(match form {
-        WriteAs::Numeric => numeric::text(document, program),
-        WriteAs::Il => il::text(document, program),
+        WriteAs::Numeric => numeric::text(emitted),
+        WriteAs::Il => il::compiled(emitted, board),
     })
+}
+
+/// Whether a program has the codes of a document.
+pub fn says(source: &Source, emitted: &Emitted<'_>) -> bool {
+    let codes = source.program().steps().flat_map(|step| step.codes());
+    let codes = std::iter::once(START).chain(codes);
+    emitted.codes().is_ok_and(|wanted| codes.eq(wanted))
+}
+
+impl From<WriteAs> for WrittenIn {
+    fn from(form: WriteAs) -> WrittenIn {
+        match form {
+            WriteAs::Numeric => WrittenIn::Numeric,
+            WriteAs::Il => WrittenIn::Il,
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Written;
     use std::fs;
     use std::path::{Path, PathBuf};
 

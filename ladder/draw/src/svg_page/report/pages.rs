@@ -1,8 +1,8 @@
 //! The pages of a report, one after another, each with its head and its foot.
 
 use super::paper::{Leaf, Paper, SMALL, TITLE, lines};
+use crate::svg_page::node::Node;
 use crate::svg_page::page::titled;
-use svg::Document;
 
 /// What stands on the pages beside the drawing.
 pub struct Report<'r> {
@@ -59,13 +59,13 @@ impl<'r> Pages<'r> {
         let (width, height) = report.paper.size();
         let document = |(index, leaf): (usize, Leaf)| {
             let page = (report.page)(index + 1, count);
-            Document::new()
+            Node::document()
                 .set("width", format!("{width}mm"))
                 .set("height", format!("{height}mm"))
                 .set("viewBox", (0.0, 0.0, width, height))
-                .add(titled(report.title))
-                .add(leaf.finish(report.paper, report.file, &page))
-                .to_string()
+                .with(titled(report.title))
+                .with(leaf.finish(report.paper, report.file, &page))
+                .written()
         };
         self.leaves.into_iter().enumerate().map(document).collect()
     }

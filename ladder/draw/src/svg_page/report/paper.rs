@@ -1,8 +1,8 @@
 //! A page of paper: its size, its margins, and what is written on it, in millimetres.
 
 use crate::listing::wrapped;
+use crate::svg_page::node::Node;
 use crate::svg_page::page::{Font, INK, MONO, SANS};
-use svg::node::element::{Group, Path, Rectangle};
 
 /// What a report is printed on, upright.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -86,7 +86,7 @@ impl Type {
 
 /// A page that fills from the top.
 pub(super) struct Leaf {
-    group: Group,
+    group: Node,
     /// Where it goes on.
     pub(super) y: f32,
     /// Whether nothing stands on it but its head.
@@ -97,7 +97,7 @@ impl Leaf {
     /// An empty page whose head begins here.
     pub(super) fn new(y: f32) -> Leaf {
         Leaf {
-            group: Group::new(),
+            group: Node::group(),
             y,
             empty: true,
         }
@@ -109,13 +109,13 @@ impl Leaf {
     }
 
     /// Adds what stands below its head.
-    pub(super) fn add(&mut self, node: impl svg::Node) {
+    pub(super) fn add(&mut self, node: Node) {
         self.put(node);
         self.empty = false;
     }
 
-    fn put(&mut self, node: impl svg::Node) {
-        self.group = std::mem::take(&mut self.group).add(node);
+    fn put(&mut self, node: Node) {
+        self.group.add(node);
     }
 
     /// Writes a line, from the left.
@@ -125,7 +125,7 @@ impl Leaf {
 
     /// A line across, between two edges.
     pub(super) fn rule(&mut self, from: f32, to: f32, y: f32) {
-        let path = Path::new()
+        let path = Node::path()
             .set("d", format!("M{from} {y}H{to}"))
             .set("fill", "none")
             .set("stroke", INK)
@@ -141,7 +141,7 @@ impl Leaf {
     }
 
     /// The page with its foot.
-    pub(super) fn finish(mut self, paper: Paper, file: &str, page: &str) -> Group {
+    pub(super) fn finish(mut self, paper: Paper, file: &str, page: &str) -> Node {
         let (width, height) = paper.size();
         let (left, right) = (paper.margin(), width - paper.margin());
         let base = height - paper.margin();
@@ -157,11 +157,11 @@ impl Leaf {
                 .written(right, base, page)
                 .set("text-anchor", "end"),
         );
-        let sheet = Rectangle::new()
+        let sheet = Node::rectangle()
             .set("width", width)
             .set("height", height)
             .set("fill", "#ffffff");
-        Group::new().add(sheet).add(self.group)
+        Node::group().with(sheet).with(self.group)
     }
 }
 

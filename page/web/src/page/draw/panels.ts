@@ -41,7 +41,7 @@ export async function texts(tools: RemoteTools): Promise<void> {
     try {
       const drawn = await tools.ask("drawn", { as: form.value === "numeric" ? "numeric" : "il" });
       const as = { as: "st", width: COLUMNS, speak: speak.value } as const;
-      text.textContent = form.value === "st" ? await tools.ask("list", { name: "drawing.il", text: drawn, ...as }) : drawn;
+      text.textContent = form.value === "st" ? await tools.ask("list", { of: { name: "drawing.il", text: drawn }, ...as }) : drawn;
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       text.textContent = told(error.both);

@@ -100,6 +100,7 @@ export class Screen {
       redo.disabled = !drawn || drawn.redo === 0;
       if (drawn) this.show(drawn);
       else this.blank();
+      this.bar();
     });
     this.session.closed.follow(() => this.bar());
     program.text.follow(() => this.bar());
@@ -162,8 +163,12 @@ export class Screen {
     this.banner.hidden = closed === null;
     const { program, tools, open } = this.around;
     const stem = stemOf(program.text.value.name);
-    const copy = async (): Promise<void> => open({ name: `${stem}.il`, text: await tools.ask("drawn", { as: "il" }) });
-    if (closed === "readOnly") this.banner.replaceChildren(say("readOnly"), h("button", { type: "button", id: "draw-copy", click: () => void copy() }, say("drawCopy")));
+    const copy = async (name: string): Promise<void> => open({ name, text: await tools.ask("drawn", { as: "il" }) });
+    if (closed === "readOnly") this.banner.replaceChildren(say("readOnly"), h("button", { type: "button", id: "draw-copy", click: () => void copy(`${stem}.il`) }, say("drawCopy")));
+    const loses = this.session.drawn.value?.loses;
+    if (closed === "loses" && loses) this.banner.replaceChildren(`${told(loses)}. `,
+      h("button", { type: "button", id: "draw-copy", click: () => void copy(`${stem}-${say("copyName")}.il`) }, say("drawCopy")),
+      h("button", { type: "button", id: "draw-agree", click: () => this.session.agree() }, say("drawHere")));
     if (closed === "faulty") this.banner.replaceChildren(say("faulty"), h("button", { type: "button", id: "draw-empty", click: () => open({ name: `${stem}.il`, text: "" }) }, say("drawEmpty")));
   }
 
@@ -278,8 +283,8 @@ export class Screen {
   private print(): void {
     const { drawn } = this.session;
     const errors = drawn.value?.mistakes.filter((mistake) => mistake.error).length ?? 0;
-    if (drawn.value?.text === null) return note(say("unfinished", { n: errors }));
-    const shown = { ...this.around.program.text.value, width: 80, speak: speak.value };
+    if (drawn.value?.text === null) return note(() => say("unfinished", { n: errors }));
+    const shown = { of: this.around.program.text.value, width: 80, speak: speak.value };
     void asked(this.around.tools.ask("pages", { ...shown, letter: isLetter() }), print);
   }
 }

@@ -12,7 +12,7 @@ import { Signal } from "../signal";
 const MOVES = new Set(["move", "select", "extend", "out"]);
 
 /** Why nothing can be drawn. */
-export type Closed = "faulty" | "readOnly" | null;
+export type Closed = "faulty" | "readOnly" | "loses" | null;
 
 export class Session {
   readonly drawn = new Signal<Drawn | null>(null);
@@ -22,6 +22,8 @@ export class Session {
   /** The program that it is of, as the document counts them. */
   private opened = -1;
   private begins = false;
+  /** The text that a person lets the drawing write anew. */
+  private agreed: string | null = null;
   private queue: Promise<unknown> = Promise.resolve();
   private visible = false;
 
@@ -53,7 +55,7 @@ export class Session {
   /** Does something; says whether it is done. What is wrong with it is told to the person. */
   async act(act: Act): Promise<boolean> {
     const refused = await this.attempt(act);
-    if (refused) note(told(refused.both));
+    if (refused) note(() => told(refused.both));
     return refused === null;
   }
 
@@ -61,7 +63,8 @@ export class Session {
   async attempt(act: Act): Promise<Refusal | null> {
     let refused: Refusal | null = null;
     await this.next(async () => {
-      if (this.closed.value || !this.drawing) return;
+      const looksOn = this.closed.value === "loses" && MOVES.has(act.do);
+      if ((this.closed.value && !looksOn) || !this.drawing) return;
       try {
         const drawn = await this.tools.ask("edit", { act, ...this.shown });
         this.take(act, drawn);
@@ -73,6 +76,12 @@ export class Session {
     return refused;
   }
 
+  /** A person wants the text as the drawing writes it: from now on it can be changed. */
+  agree(): void {
+    this.agreed = this.program.text.value.text;
+    this.closed.value = null;
+  }
+
   /** Draws it again, in another width or language. */
   again(): Promise<void> {
     return this.next(async () => {
@@ -80,8 +89,9 @@ export class Session {
     });
   }
 
-  private get shown(): { width: number; speak: typeof speak.value } {
-    return { width: this.width(), speak: speak.value };
+  private get shown(): { name: string; width: number; speak: typeof speak.value } {
+    const { name } = this.program.text.value;
+    return { name, width: this.width(), speak: speak.value };
   }
 
   /** The tools know no drawing any more: it is opened again, with all that can be undone. */
@@ -98,7 +108,7 @@ export class Session {
   private next(job: () => Promise<void>): Promise<void> {
     const done = this.queue.then(job).catch((error: unknown) => {
       if (!(error instanceof Refusal)) throw error;
-      note(told(error.both));
+      note(() => told(error.both));
     });
     this.queue = done;
     return done;
@@ -117,8 +127,9 @@ export class Session {
     const kept = program.drawing.value;
     const isDrawn = kept !== null && isOf(kept, text);
     const canDraw = checked.language === "il" || checked.language === "numeric" || checked.blank;
-    this.closed.value = isDrawn ? null : !checked.program && !checked.blank ? "faulty" : canDraw ? null : "readOnly";
     const isAnother = program.opened !== this.opened;
+    const loses = this.closed.value === "loses" && !isAnother ? "loses" : null;
+    this.closed.value = isDrawn || (canDraw && (checked.program || checked.blank)) ? loses : !checked.program && !checked.blank ? "faulty" : "readOnly";
     if (this.closed.value === "faulty") {
       // Of another program nothing is shown that it is not.
       if (isAnother) this.drawing = this.drawn.value = null;
@@ -153,6 +164,7 @@ export class Session {
     // Nothing but its text is the program's.
     this.keep({ ...drawing, name: text.name, lacks: lacks(drawn) });
     this.drawn.value = drawn;
+    this.weigh(drawn);
   }
 
   /** This was done, and this is how it is drawn then. */
@@ -168,6 +180,16 @@ export class Session {
     this.keep({ ...drawing, log, text, lacks: lacks(drawn) });
     if (text !== this.program.text.value.text) this.write({ name: drawing.name, text });
     this.drawn.value = drawn;
+    this.weigh(drawn);
+  }
+
+  /** A text that would lose something is not changed before a person agrees, or has changed it before. */
+  private weigh(drawn: Drawn): void {
+    if (this.closed.value === "readOnly" || this.closed.value === "faulty") return;
+    const log = this.drawing?.log ?? [];
+    const own = log.slice(log.findLastIndex((act) => act.do === "text") + 1);
+    const isAgreed = this.agreed === drawn.text || own.some((act) => !MOVES.has(act.do));
+    this.closed.value = drawn.loses && !isAgreed ? "loses" : null;
   }
 
   private keep(drawing: Drawing): void {

@@ -1,12 +1,12 @@
 //! The elements that can be inserted.
 
-use super::words as say;
-use crate::words::{Both, No, both};
+use crate::Amiss;
+use crate::words as say;
 use serde::Serialize;
 use unoclp_core::isa::{Class, Opcode};
 use unoclp_draw::edit::{Coil, Draft, Edge, Operation, Place, Step};
 use unoclp_draw::picture;
-use unoclp_program::Lang;
+use unoclp_words::{Both, Lang, both};
 
 /// What a person calls something.
 type Say = fn(Lang) -> String;
@@ -86,17 +86,23 @@ const ITEMS: &[Item] = items! {
 /// A group of the palette.
 #[derive(Debug, Serialize)]
 pub struct Shelf {
-    name: Both,
-    items: Vec<Offer>,
+    /// What a person calls it.
+    pub name: Both,
+    /// Its elements.
+    pub items: Vec<Offer>,
 }
 
 /// An element of the palette.
 #[derive(Debug, Serialize)]
 pub struct Offer {
-    id: String,
-    name: Both,
-    key: String,
-    face: String,
+    /// What [`insertion`] takes.
+    pub id: String,
+    /// What a person calls it.
+    pub name: Both,
+    /// The key that inserts it; empty without one.
+    pub key: String,
+    /// What is on its button.
+    pub face: String,
 }
 
 /// All that can be inserted; the last group has what no other has.
@@ -162,9 +168,8 @@ fn is_other(opcode: Opcode) -> bool {
 ///
 /// # Errors
 /// Where the palette has no such element.
-pub fn insertion(id: &str, place: Place) -> Result<Vec<Operation>, No> {
-    let none = || crate::given::wrong(id);
-    let refused = say::refused;
+pub fn insertion(id: &str, place: Place) -> Result<Vec<Operation>, Amiss> {
+    let none = || Amiss::from(both(|lang| say::no_element(lang, id)));
     let what = match id.strip_prefix("op:") {
         Some(letters) => {
             let named = |opcode: &&Opcode| opcode.row().letters == letters && is_other(**opcode);
@@ -180,17 +185,17 @@ pub fn insertion(id: &str, place: Place) -> Result<Vec<Operation>, No> {
     };
     let insert = |draft| Operation::Insert(draft, place);
     Ok(match what {
-        What::Contact { closed } => vec![insert(Draft::contact(None, closed).map_err(refused)?)],
+        What::Contact { closed } => vec![insert(Draft::contact(None, closed)?)],
         What::Change(edge) => vec![
-            insert(Draft::contact(None, false).map_err(refused)?),
+            insert(Draft::contact(None, false)?),
             Operation::Edge(Some(edge)),
         ],
-        What::Coil(coil) => vec![insert(Draft::coil(None, coil).map_err(refused)?)],
+        What::Coil(coil) => vec![insert(Draft::coil(None, coil)?)],
         What::Counter { down } => vec![insert(Draft::counter(down, None, None))],
         What::Step(opcode) if opcode.class() == Class::Comparison => {
             let load = Some(Step::new(Opcode::Load));
             let step = Step::new(opcode).with_number(0);
-            vec![insert(Draft::comparison(load, step).map_err(refused)?)]
+            vec![insert(Draft::comparison(load, step)?)]
         }
         What::Step(opcode) if opcode.row().kind.is_value() => {
             vec![insert(Step::new(opcode).with_number(0).into())]

@@ -1,8 +1,6 @@
 //! What an element has that can be changed, as a form has it.
 
-use super::words;
-use crate::given::{Given, wrong};
-use crate::words::{Both, No, Offer, both, told};
+use crate::{Amiss, Offer, words};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use unoclp_core::Board;
@@ -10,42 +8,30 @@ use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode, POPP
 use unoclp_draw::edit::{
     Cursor, Document, Draft, Element, Node, Operation, Row, Step, Table, visit,
 };
-use unoclp_lang::{duration, no_such_point};
+use unoclp_lang::{Diagnostic, Lang, duration, no_such_point};
 use unoclp_point::Address;
 use unoclp_program::drawn::is_name;
+use unoclp_words::{Both, both};
 
 /// A field with what is in it.
 #[derive(Debug, Serialize)]
 pub struct Shown {
-    key: String,
-    name: Both,
-    value: String,
+    /// Which.
+    pub key: String,
+    /// What a person calls it.
+    pub name: Both,
+    /// What stands there.
+    pub value: String,
     /// `point`: an address or a name; `value`: that or a number; `number`; `name`.
-    kind: &'static str,
+    pub kind: &'static str,
 }
 
 /// A field that a person has filled in.
 pub struct Field {
-    key: String,
-    value: String,
-}
-
-impl Field {
-    /// The fields of a request.
-    ///
-    /// # Errors
-    /// Where they are none.
-    pub fn all(given: &mut Given) -> Result<Vec<Field>, Both> {
-        let fields = given.list("fields")?.into_iter();
-        let field = |value| {
-            let mut given = Given::of(value).ok_or_else(|| wrong("fields"))?;
-            Ok(Field {
-                key: given.text("key")?,
-                value: given.text("value")?.trim().to_owned(),
-            })
-        };
-        fields.map(field).collect()
-    }
+    /// Which.
+    pub key: String,
+    /// What stands there, without blanks around it.
+    pub value: String,
 }
 
 /// The fields of an element.
@@ -114,7 +100,7 @@ pub fn operations(
     cursor: Cursor,
     fields: Vec<Field>,
     sure: bool,
-) -> Result<Vec<Operation>, No> {
+) -> Result<Vec<Operation>, Amiss> {
     let element = document
         .element(cursor.from)
         .filter(|_| cursor.from == cursor.to);
@@ -126,7 +112,7 @@ pub fn operations(
     let mut called: Option<String> = None;
     let mut also: Option<String> = None;
     for Field { key, value } in fields {
-        let at = |no: No| no.at(&key, Vec::new());
+        let at = |no: Amiss| no.at(&key, Vec::new());
         match key.as_str() {
             "left" if value.is_empty() => load = None,
             "left" => load = Some(loaded((table, board), &value).map_err(at)?),
@@ -140,7 +126,7 @@ pub fn operations(
                 }
                 step = step
                     .with_address(point)
-                    .map_err(|refusal| at(words::refused(refusal)))?;
+                    .map_err(|refusal| at(refusal.into()))?;
             }
             "name" => called = Some(value),
             "number" => step = step.with_number(number::<u8>(&value).map_err(at)?),
@@ -148,14 +134,14 @@ pub fn operations(
                 let index = key
                     .strip_prefix("line")
                     .and_then(|index| index.parse().ok());
-                let index: usize = index.ok_or_else(|| wrong(&key))?;
+                let index: usize = index.ok_or_else(|| no_field(&key))?;
                 let is_time = index == 0 && step.opcode().row().kind == Kind::Timer;
                 let number = match is_time {
                     true => time(&value),
                     false => number::<i32>(&value),
                 };
                 let mut lines = step.lines().to_vec();
-                *lines.get_mut(index).ok_or_else(|| wrong(&key))? = number.map_err(at)?;
+                *lines.get_mut(index).ok_or_else(|| no_field(&key))? = number.map_err(at)?;
                 step = step.with_lines(lines);
             }
         }
@@ -183,7 +169,7 @@ pub fn operations(
 ///
 /// # Errors
 /// Where that is no name.
-pub fn naming(document: &Document, point: Address, row: Row) -> Result<Operation, No> {
+pub fn naming(document: &Document, point: Address, row: Row) -> Result<Operation, Amiss> {
     let is_same = document
         .table()
         .get(point)
@@ -199,7 +185,7 @@ pub fn naming(document: &Document, point: Address, row: Row) -> Result<Operation
 ///
 /// # Errors
 /// The question.
-pub fn ask((document, board): (&Document, Board), point: Address, sure: bool) -> Result<(), No> {
+pub fn ask((document, board): (&Document, Board), point: Address, sure: bool) -> Result<(), Amiss> {
     let is_new = || !used(document).contains(&point) && document.table().get(point).is_none();
     match point {
         Address::System(number) if !sure && is_new() => {
@@ -212,7 +198,7 @@ pub fn ask((document, board): (&Document, Board), point: Address, sure: bool) ->
                 value: name.clone(),
                 sure: true,
             };
-            let told = No::from(both(|lang| words::system_marker(lang, &name)));
+            let told = Amiss::from(both(|lang| words::system_marker(lang, &name)));
             Err(told.at("point", button.into_iter().chain([marker]).collect()))
         }
         _ => Ok(()),
@@ -226,7 +212,7 @@ fn meant(
     point: Option<Address>,
     value: &str,
     sure: bool,
-) -> Result<(), No> {
+) -> Result<(), Amiss> {
     match point {
         Some(Address::Timer(_)) if step.opcode().row().kind == Kind::Timer => {
             let kinds = [Address::Marker as fn(u8) -> Address, Address::Output];
@@ -234,7 +220,7 @@ fn meant(
                 .into_iter()
                 .filter_map(|kind| free((document, board), kind));
             let offers = points.map(|point| offer(point.to_string()));
-            let told = No::from(both(|lang| words::timer_drives(lang, value)));
+            let told = Amiss::from(both(|lang| words::timer_drives(lang, value)));
             Err(told.at("point", offers.collect()))
         }
         Some(point) => ask((document, board), point, sure),
@@ -333,7 +319,7 @@ fn source(step: &Step) -> String {
 }
 
 /// A load of this: a point, or a constant.
-fn loaded((table, board): (&Table, Board), value: &str) -> Result<Step, No> {
+fn loaded((table, board): (&Table, Board), value: &str) -> Result<Step, Amiss> {
     if value.parse::<i32>().is_ok() {
         return valued((table, board), &Step::new(Opcode::Load), value);
     }
@@ -349,7 +335,7 @@ fn loaded((table, board): (&Table, Board), value: &str) -> Result<Step, No> {
 }
 
 /// An operation or comparison with this: a register, a constant, what was pushed.
-fn valued((table, board): (&Table, Board), step: &Step, value: &str) -> Result<Step, No> {
+fn valued((table, board): (&Table, Board), step: &Step, value: &str) -> Result<Step, Amiss> {
     let constant = |line| step.clone().with_number(0).with_lines([line]);
     let is_real = step.opcode().row().kind == Kind::Real;
     if value.is_empty() {
@@ -380,7 +366,7 @@ fn valued((table, board): (&Table, Board), step: &Step, value: &str) -> Result<S
 fn pointed(
     (table, board): (&Table, Board),
     value: &str,
-) -> Result<(Option<Address>, Option<String>), No> {
+) -> Result<(Option<Address>, Option<String>), Amiss> {
     let (first, name) = value.split_once(char::is_whitespace).unwrap_or((value, ""));
     if first.is_empty() {
         return Ok((None, None));
@@ -396,8 +382,8 @@ fn pointed(
 }
 
 /// A number; none for an empty field.
-fn number<T: TryFrom<i64>>(value: &str) -> Result<Option<T>, No> {
-    let wrong = || No::from(both(|lang| words::no_number(lang, value)));
+fn number<T: TryFrom<i64>>(value: &str) -> Result<Option<T>, Amiss> {
+    let wrong = || Amiss::from(both(|lang| words::no_number(lang, value)));
     if value.is_empty() {
         return Ok(None);
     }
@@ -406,7 +392,7 @@ fn number<T: TryFrom<i64>>(value: &str) -> Result<Option<T>, No> {
 }
 
 /// A time in ms, which may be written with its units; none for an empty field.
-fn time(value: &str) -> Result<Option<i32>, No> {
+fn time(value: &str) -> Result<Option<i32>, Amiss> {
     let ms = || duration(&value.replace(char::is_whitespace, "").replace(',', "."));
     match number::<i32>(value) {
         Ok(number) => Ok(number),
@@ -423,4 +409,13 @@ fn text(point: Option<Address>) -> String {
 
 fn spelled(number: Option<i32>) -> String {
     number.map_or_else(String::new, |number| number.to_string())
+}
+
+fn no_field(key: &str) -> Amiss {
+    both(|lang| words::no_field(lang, key)).into()
+}
+
+/// What is wrong, and what to do.
+fn told(diagnostic: &Diagnostic, lang: Lang) -> String {
+    format!("{}: {}", diagnostic.message(lang), diagnostic.help(lang))
 }

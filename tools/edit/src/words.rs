@@ -1,15 +1,9 @@
 //! What is told of a drawing in words.
 
-use crate::words::{No, both};
-use unoclp_draw::edit::Refusal;
-
-/// Why an operation is refused.
-pub fn refused(refusal: Refusal) -> No {
-    both(|lang| unoclp_program::edit::refusal(lang, refusal)).into()
-}
-
 unoclp_words::messages! {
     unfinished() "the drawing is not a program yet; its problems show what is missing" "o desenho ainda não é um programa; os problemas mostram o que falta";
+    no_element(id) "no element is called {id}" "nenhum elemento se chama {id}";
+    no_field(key) "this element has no field {key}" "este elemento não tem o campo {key}";
     no_drawing() "no drawing is open" "nenhum desenho está aberto";
     select_one() "select one element first" "selecione um elemento primeiro";
     no_name(name) "{name} cannot be a name; use letters, digits and _, and not an address" "{name} não serve de nome: use letras, dígitos e _, e não um endereço";

@@ -1,9 +1,9 @@
 //! What the ladder editor refuses and what it finds wrong, in words. `docs/editor-messages.md` and its translation say
 //! under each number what to do.
 
-use crate::diagnosis::cause;
 use unoclp_draw::edit::{Refusal, Wrong};
 use unoclp_lang::Lang;
+use unoclp_program::diagnosis::cause;
 
 unoclp_words::messages! {
     not_there() "the selected element no longer exists" "o elemento selecionado já não existe";

@@ -1,0 +1,89 @@
+//! What a page may ask, and what it is answered: one table, of which the enums, their readers, the types of the page and the
+//! random asks of the tests are made.
+//!
+//! - `table`: the asks
+//! - `field`: what may stand in one, how it is read, and what TypeScript calls it
+//! - `contract`: the table in TypeScript; `sample`: asks made at random
+//!
+//! Owns the form of requests. Must not know what is done for one.
+
+#[cfg(test)]
+mod contract;
+mod field;
+#[cfg(test)]
+mod sample;
+mod table;
+
+pub use field::{Columns, Given as Below};
+#[cfg(feature = "full")]
+pub use table::More;
+pub use table::{First, MORE};
+
+/// Makes of the rows of a table an enum, its reader and its names; of each row `Variant "ask" { field: Type } -> "Answer";`,
+/// where a key that is no name of Rust stands after `as`.
+macro_rules! asks {
+    ($(#[$about:meta])* $enum:ident; $(
+        $(#[doc = $doc:literal])* $variant:ident $ask:literal { $($field:ident $(as $key:literal)?: $type:ty),* } -> $answer:literal;
+    )*) => {
+        $(#[$about])*
+        pub enum $enum {
+            $($(#[doc = $doc])* $variant { $($field: $type),* },)*
+        }
+
+        impl $enum {
+            /// As a request gives it; none where there is no such ask.
+            ///
+            /// # Errors
+            /// Where something in it is missing, or something else.
+            pub fn read(
+                ask: &str,
+                given: &mut $crate::given::Given,
+            ) -> Result<Option<$enum>, $crate::words::Both> {
+                Ok(Some(match ask {
+                    $($ask => $enum::$variant {
+                        $($field: $crate::ask::field::Field::read(
+                            given,
+                            $crate::ask::key!($field $($key)?),
+                        )?,)*
+                    },)*
+                    _ => return Ok(None),
+                }))
+            }
+
+            /// The rows of its table.
+            #[cfg(test)]
+            pub fn rows() -> Vec<$crate::ask::Row> {
+                vec![$($crate::ask::Row {
+                    about: concat!($($doc),*).trim(),
+                    ask: $ask,
+                    fields: vec![$((
+                        $crate::ask::key!($field $($key)?),
+                        <$type as $crate::ask::field::Field>::TYPE,
+                    )),*],
+                    answer: $answer,
+                }),*]
+            }
+        }
+    };
+}
+
+macro_rules! key {
+    ($field:ident) => {
+        stringify!($field)
+    };
+    ($field:ident $key:literal) => {
+        $key
+    };
+}
+
+use {asks, key};
+
+/// A row of the table.
+#[cfg(test)]
+pub struct Row {
+    about: &'static str,
+    ask: &'static str,
+    /// Keys, and what TypeScript calls what stands there; what may be left out ends in `?`.
+    fields: Vec<(&'static str, &'static str)>,
+    answer: &'static str,
+}

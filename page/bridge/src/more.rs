@@ -1,0 +1,206 @@
+//! What takes the module that has everything, answered.
+
+use crate::adapt::adapt;
+use crate::ask::More;
+use crate::board::Boards;
+use crate::edit::{Act, Drawing};
+use crate::json::json;
+use crate::machine::{self, Machine};
+use crate::program::{known, source};
+use crate::words::{self, No, both};
+use crate::{card, draw, exercise, replay};
+use unoclp_program::Written;
+use unoclp_workspace::Workspace;
+
+/// A trace has no more ms: ten minutes.
+const LONGEST_TRACE: u32 = 600_000;
+
+/// Answers an ask, in JSON.
+///
+/// # Errors
+/// Why there is no answer.
+pub fn answer(ask: More, boards: &mut Boards) -> Result<String, No> {
+    let workspace = &mut boards.workspace;
+    Ok(match ask {
+        More::List {
+            version,
+            form,
+            width,
+            speak,
+        } => {
+            let text = known(version, workspace)?;
+            json(draw::listed(source(&text)?, form, width.0, speak)?)
+        }
+        More::Adapt { version } => json(adapt(known(version, workspace)?.written())),
+        More::Pages {
+            version,
+            letter,
+            width,
+            speak,
+        } => {
+            let text = known(version, workspace)?;
+            json(draw::paged(source(&text)?, letter, width.0, speak))
+        }
+        More::Sheet {
+            title,
+            scenario,
+            board,
+        } => json(exercise::sheet(&title, &scenario, board)?),
+        More::Exercise {
+            version,
+            title,
+            scenario,
+            plant,
+            plant_text,
+        } => {
+            let text = known(version, workspace)?;
+            let machine = plant.zip(plant_text);
+            let outcome = exercise::exercise(source(&text)?, &title, &scenario, machine)?;
+            json(outcome)
+        }
+        More::Trial {
+            version,
+            plant,
+            plant_text,
+        } => {
+            let text = known(version, workspace)?;
+            json(exercise::trial(source(&text)?, &plant, &plant_text)?)
+        }
+        More::Trace {
+            version,
+            plant,
+            plant_text,
+            ms,
+        } => {
+            let (text, span) = (known(version, workspace)?, ms.min(LONGEST_TRACE).into());
+            json(exercise::trace(source(&text)?, &plant, &plant_text, span)?)
+        }
+        More::Replay {
+            version,
+            plant,
+            plant_text,
+            scenario,
+            at,
+            why,
+            speak,
+        } => {
+            let (text, scenario) = (known(version, workspace)?, scenario.as_deref());
+            let (machine, at) = ((&*plant, &*plant_text), (at.into(), &*why));
+            let program = source(&text)?;
+            json(replay::replay(
+                program,
+                machine,
+                scenario,
+                at,
+                speak.into(),
+            )?)
+        }
+        More::Picture {
+            name,
+            text,
+            board,
+            speak,
+        } => json(machine::standing(&name, &text, board, speak.into())?),
+        More::Card {
+            program,
+            state,
+            board,
+        } => {
+            let written = Written::new("PROGRAM.TXT".to_owned(), program.into_bytes(), board);
+            json(card::card(&workspace.look(written), state)?)
+        }
+        More::Read { blocks, name } => json(card::read(blocks.0, &name)),
+        More::Free { blocks } => json(card::free(blocks.0)),
+        More::Machine {
+            name,
+            text,
+            speak,
+            keep,
+            find,
+            board,
+        } => {
+            let lang = speak.into();
+            // The same again, in another language, goes on.
+            let kept = boards.machine.take().filter(|_| keep == Some(true));
+            let machine = match kept {
+                Some(machine) => machine,
+                None => {
+                    let hidden = find.map(|find| exercise::hidden(&find, board));
+                    let hidden = hidden.transpose()?;
+                    Machine::open(&name, &text, board, lang, hidden.as_ref())?
+                }
+            };
+            json(boards.machine.insert(machine).known(lang))
+        }
+        More::MachineLook {} => json(open(boards)?.look()),
+        More::MachineHand { part, value, to } => {
+            open(boards)?.hand(part, value, to);
+            json(())
+        }
+        More::MachineFault { part, fault, is } => {
+            open(boards)?.fault(part, &fault, is);
+            json(())
+        }
+        More::MachineForced {} => {
+            open(boards)?.forced();
+            json(())
+        }
+        More::MachineName { part, fault } => json(open(boards)?.name(part, &fault)),
+        More::MachineReset {} => {
+            open(boards)?.reset();
+            json(())
+        }
+        More::MachineClose {} => {
+            boards.machine = None;
+            json(())
+        }
+        More::Flash { hex, model } => json(boards.flash.begin(&hex, &model)?),
+        More::FlashStep { now, came } => json(boards.flash.step(now, &came)?),
+        More::FlashLose { why } => {
+            boards.flash.lose(why);
+            json(())
+        }
+        More::Palette {} => json(unoclp_edit::palette()),
+        More::Draw {
+            base,
+            log,
+            name,
+            board,
+            width,
+            speak,
+        } => {
+            let mut drawing = Drawing::open(base.0, log.0, board, workspace)?;
+            let view = json(drawing.view(name, board, (width.0, speak), workspace));
+            boards.drawing = Some(drawing);
+            view
+        }
+        More::Edit {
+            act,
+            name,
+            board,
+            width,
+            speak,
+        } => {
+            let (drawing, workspace) = drawing(boards)?;
+            if let Some(act) = act {
+                drawing.act(Act::of(act, board)?, workspace)?;
+            }
+            json(drawing.view(name, board, (width.0, speak), workspace))
+        }
+        More::Drawn { form } => json(drawing(boards)?.0.text(&form)?),
+        More::Find { words } => json(drawing(boards)?.0.find(&words)),
+    })
+}
+
+/// The machine that is open.
+fn open(boards: &mut Boards) -> Result<&mut Machine, No> {
+    let none = || both(words::machine_first).into();
+    boards.machine.as_mut().ok_or_else(none)
+}
+
+/// The drawing that is open.
+fn drawing(boards: &mut Boards) -> Result<(&mut Drawing, &mut Workspace), No> {
+    let none = || both(unoclp_edit::no_drawing);
+    let drawing = boards.drawing.as_mut().ok_or_else(none)?;
+    Ok((drawing, &mut boards.workspace))
+}
