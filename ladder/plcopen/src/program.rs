@@ -66,7 +66,12 @@ fn drawn(
 ) -> Found {
     let mut found = before.clone();
     ladder(text, project, board, &mut found, imported);
-    if !found.has_errors() || !found.is_only(&AS_TEXT) {
+    if !found.has_errors() {
+        return found;
+    }
+    if !found.is_only(&AS_TEXT) {
+        // A text would take the rest.
+        found.retain(|code| *code != Code::XmlTangle);
         return found;
     }
     let mut as_text = before;
@@ -94,10 +99,9 @@ fn drawn(
 }
 
 /// What a document refuses and a text may take.
-const AS_TEXT: [Code; 8] = [
+const AS_TEXT: [Code; 7] = [
     Code::XmlLoop,
     Code::XmlTangle,
-    Code::XmlEnable,
     Code::XmlType,
     Code::XmlBlock,
     Code::XmlNoneLeft,
@@ -106,10 +110,9 @@ const AS_TEXT: [Code; 8] = [
 ];
 
 /// What is no mistake in a text.
-const BY_TEXT: [Code; 4] = [
+const BY_TEXT: [Code; 3] = [
     Code::XmlLoop,
     Code::XmlTangle,
-    Code::XmlEnable,
     Code::XmlBlock,
 ];
 

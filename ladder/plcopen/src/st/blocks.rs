@@ -5,7 +5,8 @@ use super::sentences::{Group, Piece, piece};
 use super::units::standard;
 use crate::circuit::Circuit;
 use crate::found::span;
-use crate::network::Wire;
+use crate::network::{Network, Wire};
+use std::collections::HashMap;
 use unoclp_lang::Code;
 use unoclp_lang::typed::{Role, Standard};
 
@@ -18,10 +19,31 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         if let Some(fine) = self.begun.get(&at) {
             return fine.then_some(());
         }
+        for above in self.calls_above(at) {
+            self.block(above);
+        }
         self.begun.insert(at, true);
         let called = self.call(at);
         self.begun.insert(at, called.is_some());
         called
+    }
+
+    /// The calls of the same instance that are drawn above and have not begun.
+    fn calls_above(&self, at: usize) -> Vec<usize> {
+        let elements = &self.network.elements;
+        let name = |at: usize| elements[at].node.attribute("instanceName");
+        let key = name(at).unwrap_or_default().to_uppercase();
+        if self.instances.get(&key).is_none_or(|calls| *calls < 2) {
+            return Vec::new();
+        }
+        let place = |at: usize| (elements[at].place, at);
+        let is_above = |other: &usize| {
+            let is_same = name(*other).is_some_and(|name| name.eq_ignore_ascii_case(&key));
+            is_same && place(*other) < place(at) && !self.begun.contains_key(other)
+        };
+        let mut above: Vec<usize> = (0..elements.len()).filter(is_above).collect();
+        above.sort_by_key(|at| place(*at));
+        above
     }
 
     fn call(&mut self, at: usize) -> Option<()> {
@@ -31,6 +53,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let instance = element.node.attribute("instanceName").unwrap_or_default();
         let name = element.node.attribute("typeName").unwrap_or_default();
         let key = instance.to_uppercase();
+        let is_called_again = self.instances.get(&key).is_some_and(|calls| *calls > 1);
         match self.variables.get(&key).map(|variable| &variable.kind) {
             None if !instance.contains(['.', '[']) || instance.is_empty() => {
                 self.tell(Code::XmlUndeclared, at, [instance.into()]);
@@ -44,11 +67,6 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             _ => {}
         }
         let norm = standard(&element.block());
-        let first = *self.instances.entry(key).or_insert(at);
-        if norm.is_some() && first != at {
-            self.tell(Code::XmlTwice, at, [instance.into()]);
-            return None;
-        }
         if let Some(input) = norm.and_then(|norm| self.lacks(at, norm)) {
             self.tell(Code::XmlPin, at, [input.into()]);
             return None;
@@ -70,7 +88,49 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
         call.push(piece(")", place));
         self.when(at, &enabled, call, None);
+        if is_called_again {
+            self.keep_outputs(at);
+        }
         Some(())
+    }
+
+    /// Keeps what a call gave, since another call of the instance follows.
+    fn keep_outputs(&mut self, at: usize) {
+        let network = self.network;
+        let element = &network.elements[at];
+        let instance = element.node.attribute("instanceName").unwrap_or_default();
+        let place = span(element.node);
+        let mut readers = network.readers[at].clone();
+        readers.retain(|reader| !network.is_end(reader.at));
+        for reader in readers {
+            let output = self.output(Wire {
+                from: at,
+                output: reader.output,
+            });
+            let key = (at, output.to_uppercase());
+            if output.eq_ignore_ascii_case("ENO") || self.outputs.contains_key(&key) {
+                continue;
+            }
+            let Some(kind) = self.member(&element.block(), output) else {
+                continue;
+            };
+            let what = format!("{instance}_{output}").replace(|c: char| !c.is_alphanumeric(), "_");
+            let name = self.add(&what, &kind, at);
+            let keeps = format!("{name} := {instance}.{output}");
+            self.sentences.add(vec![piece(&keeps, place)]);
+            self.outputs.insert(key, name);
+        }
+    }
+
+    /// The name of an output; of a wire that names none, the first.
+    fn output(&self, wire: Wire<'a>) -> &'a str {
+        let element = &self.network.elements[wire.from];
+        let named = element.outputs.iter().map(|(name, _)| *name);
+        let mut named = named.filter(|name| !name.eq_ignore_ascii_case("ENO"));
+        match wire.output {
+            "" => named.next().unwrap_or("Q"),
+            output => output,
+        }
     }
 
     /// An input to which nothing leads and without which a block of the norm does nothing.
@@ -154,12 +214,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     pub(super) fn gives(&mut self, wire: Wire<'a>) -> Option<Circuit> {
         let at = wire.from;
         let element = &self.network.elements[at];
-        let named = element.outputs.iter().map(|(name, _)| *name);
-        let mut named = named.filter(|name| !name.eq_ignore_ascii_case("ENO"));
-        let output = match wire.output {
-            "" => named.next().unwrap_or("Q"),
-            output => output,
-        };
+        let output = self.output(wire);
         if output.eq_ignore_ascii_case("ENO") {
             return match self.enabled.get(&at) {
                 Some(known) => known.clone(),
@@ -170,13 +225,28 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             };
         }
         let instance = element.node.attribute("instanceName").unwrap_or_default();
+        let given = match self.outputs.get(&(at, output.to_uppercase())) {
+            Some(kept) => kept.clone(),
+            None => format!("{instance}.{output}"),
+        };
         let text = match element.is_negated(output) {
-            true => format!("NOT {instance}.{output}"),
-            false => format!("{instance}.{output}"),
+            true => format!("NOT {given}"),
+            false => given,
         };
         let index = element.outputs.iter();
         let index = index.take_while(|(name, _)| *name != output).count();
         let said = vec![piece(&text, span(element.node))];
         Some(vec![self.leaf((at, 100 + index), said)])
     }
+}
+
+/// How many elements call each instance, by its name in capitals.
+pub(super) fn instances(network: &Network<'_, '_>) -> HashMap<String, usize> {
+    let elements = network.elements.iter();
+    let named = elements.filter_map(|element| element.node.attribute("instanceName"));
+    let mut instances = HashMap::new();
+    for name in named {
+        *instances.entry(name.to_uppercase()).or_default() += 1;
+    }
+    instances
 }

@@ -145,7 +145,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     }
 
     /// The type of a member of a structure or a block.
-    fn member(&self, of: &str, member: &str) -> Option<String> {
+    pub(super) fn member(&self, of: &str, member: &str) -> Option<String> {
         if let Some(pou) = self.units.get(of) {
             let mut variables = pou.variables.iter();
             let own = variables.find(|own| own.name.eq_ignore_ascii_case(member))?;

@@ -1,4 +1,5 @@
-//! Timers that are called more than once in a scan: the board's own are one place in the program each.
+//! Timers that are called in more places than one: the board's own are one place in the program each. A loop may come there
+//! as often as it likes.
 //!
 //! Owns what takes their place: calls that only reset a TON become its reset; what is left of several calls becomes steps
 //! that keep the timer in cells, by the time stamp of the scan. Must not know markers, registers and instructions.
@@ -21,7 +22,7 @@ const BEFORE: u32 = 4;
 const BEGAN: u32 = 5;
 
 /// A call of a TON with IN = FALSE makes it what it was before it ever started, as `RWT` does. Where one call alone does
-/// more, and no loop repeats it, the timer stays the board's.
+/// more, the timer stays the board's.
 pub(super) fn reset(flat: &mut Flat) {
     let mut calls = HashMap::new();
     count(&flat.body, &mut calls);
@@ -30,11 +31,6 @@ pub(super) fn reset(flat: &mut Flat) {
         return;
     }
     let uses = Uses::of(flat);
-    // A call in a loop counts twice.
-    calls.retain(|cell, calls| {
-        let all = uses.blocks.get(cell).map_or(0, |called| called.count);
-        all == calls.resets + 1
-    });
     let body = std::mem::take(&mut flat.body);
     flat.body = with_resets(body, &calls, &uses);
 }

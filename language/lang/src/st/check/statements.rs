@@ -3,8 +3,8 @@
 use super::super::ast::{Arm, Counting, Node, NodeKind, Path, Statement, StatementKind};
 use super::Checker;
 use crate::diagnostics::{Code, Span};
-use crate::typed::build::Named;
-use crate::typed::{Base, Kind, Stmt, StmtKind, UnitKind, Value};
+use crate::typed::build::{Named, turns};
+use crate::typed::{Base, Kind, Root, Stmt, StmtKind, UnitKind, Value};
 use std::collections::BTreeMap;
 
 impl Checker<'_, '_, '_> {
@@ -63,10 +63,8 @@ impl Checker<'_, '_, '_> {
                 StmtKind::Repeat(body, self.condition(until))
             }
             StatementKind::For(counting) => {
-                let Some(kind) = self.counting(counting, at) else {
-                    return;
-                };
-                kind
+                self.counting(counting, at, all);
+                return;
             }
         };
         all.push(Stmt { kind, at });
@@ -215,7 +213,7 @@ impl Checker<'_, '_, '_> {
         StmtKind::Case(selector, made, self.statements(otherwise))
     }
 
-    fn counting(&mut self, counting: &Counting, at: Span) -> Option<StmtKind> {
+    fn counting(&mut self, counting: &Counting, at: Span, all: &mut Vec<Stmt>) {
         let Counting {
             variable,
             from,
@@ -230,11 +228,40 @@ impl Checker<'_, '_, '_> {
         let counter = head
             .as_ref()
             .map(|head| (head.variable.root, head.variable.offset));
+        let turns = head.as_ref().map_or(Vec::new(), |head| turns(head));
         self.builder.begin_loop(counter);
-        let body = self.statements(body);
+        let (picks, mut bodies) = self.turns(counter, &turns, body);
         self.builder.end_loop(counter);
-        let mut head = head?;
-        head.body = body;
-        Some(StmtKind::For(head))
+        let Some(mut head) = head else {
+            return;
+        };
+        if picks {
+            return self.builder.unrolled(&head, &turns, bodies, at, all);
+        }
+        head.body = bodies.pop().unwrap_or_default();
+        let kind = StmtKind::For(head);
+        all.push(Stmt { kind, at });
+    }
+    /// The body of a loop; whether its turns pick instances of blocks, and then the body of each.
+    fn turns(
+        &mut self,
+        counter: Option<(Root, u32)>,
+        turns: &[i128],
+        body: &[Statement],
+    ) -> (bool, Vec<Vec<Stmt>>) {
+        let Some(counter) = counter.filter(|_| !turns.is_empty()) else {
+            return (false, vec![self.statements(body)]);
+        };
+        let mut bodies = Vec::new();
+        for turn in turns {
+            self.builder.begin_turn(counter, *turn);
+            let made = self.statements(body);
+            let picks = self.builder.end_turn();
+            bodies.push(made);
+            if !picks || self.builder.found.has_errors() {
+                return (picks, bodies);
+            }
+        }
+        (true, bodies)
     }
 }

@@ -3,6 +3,7 @@
 //! Owns units and where the front end is in them. Must not know what statements mean.
 
 use super::named::{Letters, Named, Param, Variable};
+use super::turns::Turn;
 use crate::diagnostics::{Code, Found, Span, Word};
 use crate::points::Spellings;
 use crate::typed::{Base, Expr, ExprKind, Kind, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind};
@@ -61,6 +62,8 @@ pub(crate) struct Builder<'t, 'f> {
     pub loops: u32,
     /// The variables that count open loops.
     pub(super) counters: Vec<(Root, u32)>,
+    /// Of loops whose bodies are made, one turn each.
+    pub(super) turns: Vec<Turn>,
     /// Inputs that their own units change, by the unit and the offset, which has been told.
     pub(super) inputs_written: HashSet<(Option<usize>, u32)>,
     pub(super) writes: bool,
@@ -96,6 +99,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             asked: 0,
             loops: 0,
             counters: Vec::new(),
+            turns: Vec::new(),
             inputs_written: HashSet::new(),
             writes: false,
             lenient: false,

@@ -149,9 +149,13 @@ impl Builder<'_, '_> {
                 right = false;
                 continue;
             }
-            match &subscript.kind {
-                ExprKind::Constant(value) => {
-                    let number = value.int();
+            let known = match &subscript.kind {
+                ExprKind::Constant(value) => Some(value.int()),
+                _ if blocks => self.picked(&subscript),
+                _ => None,
+            };
+            match known {
+                Some(number) => {
                     if number < i128::from(*low) || number > i128::from(*high) {
                         let words = [
                             number.to_string().into(),
@@ -165,11 +169,11 @@ impl Builder<'_, '_> {
                         place.offset += (number - i128::from(*low)) as u32 * stride;
                     }
                 }
-                _ if blocks => {
+                None if blocks => {
                     self.tell(Code::StBlockSubscript, subscript.at, []);
                     right = false;
                 }
-                _ => indices.push(Index {
+                None => indices.push(Index {
                     subscript,
                     low: *low,
                     count,

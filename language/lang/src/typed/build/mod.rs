@@ -58,6 +58,7 @@ pub(crate) mod points;
 mod remedies;
 mod statements;
 mod symbols;
+mod turns;
 mod words;
 
 pub(crate) use arguments::{Argument, Given};
@@ -65,4 +66,5 @@ pub(crate) use builder::{Builder, Draft, MOST_CELLS};
 pub use functions::is_function;
 pub(crate) use named::{Letters, Named, Section, Traits};
 pub(crate) use places::Target;
+pub(crate) use turns::turns;
 pub(crate) use words::both;
