@@ -186,7 +186,7 @@ fn ladder(
     found: &mut Found,
     imported: &mut Imported,
 ) {
-    let mut points = Points::new(board);
+    let mut points = Points::of(text, board);
     let of_pous = project.programs.iter().flat_map(|pou| &pou.variables);
     let addresses = of_pous
         .chain(&project.globals)

@@ -44,6 +44,16 @@ pub fn adapt(text: &str, language: TextLanguage, board: Board) -> Option<Adapted
     })
 }
 
+/// Where points stand that no board has: where none has a firmware, they are those of nobody's pins. By what is written, in
+/// capitals and without blanks.
+pub fn moved(text: &str, language: TextLanguage, board: Board) -> HashMap<String, String> {
+    if board.has_firmware() || !ADAPTED.contains(&language) {
+        return HashMap::new();
+    }
+    let adapted = adapt_at(text, &written_points(text, language), board);
+    adapted.moved.into_iter().collect()
+}
+
 /// Where a text in one of these languages writes points.
 pub fn written_points(text: &str, language: TextLanguage) -> Vec<Range<usize>> {
     let points = colours(text, language).into_iter();
@@ -93,7 +103,7 @@ struct Places {
     board: Board,
     used: BTreeSet<Address>,
     /// What a point is called now, by its kind and number; none where no place was left.
-    known: HashMap<(Kind, Option<u16>), Option<u8>>,
+    known: HashMap<(Kind, Result<u16, String>), Option<u8>>,
     moved: Vec<(String, String)>,
     left: Vec<String>,
 }
@@ -138,7 +148,7 @@ impl Places {
         if is_there || !counted || matches!(kind, Kind::System | Kind::Group) {
             return None;
         }
-        let point = (kind, written.number);
+        let point = (kind, written.number.ok_or_else(|| key.to_owned()));
         let new = match self.known.get(&point) {
             Some(new) => *new,
             None => {

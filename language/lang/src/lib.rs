@@ -60,7 +60,7 @@ pub mod typed;
 mod whole;
 mod words;
 
-pub use adapt::{Adapted, adapt, adapt_at, written_points};
+pub use adapt::{Adapted, adapt, adapt_at, moved, written_points};
 pub use back::{instructions_to_il, to_il};
 pub use code::{CompiledText, Held, Holding, Shows, Trace, Variable, compile_text, literal};
 pub use colour::Colour;

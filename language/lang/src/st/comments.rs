@@ -69,6 +69,31 @@ impl Lexer<'_, '_> {
         }
     }
 
+    /// Skips C in single braces, which stands where a statement may begin and assigns nothing as Structured Text does.
+    pub(super) fn code_in_braces(&mut self) -> bool {
+        let (before, rest) = self.scan.text.split_at(self.scan.at);
+        let before = before.trim_end().as_bytes();
+        let ends = |word: &&str| {
+            let last = before.len().checked_sub(word.len());
+            let last = last.and_then(|at| before.get(at..));
+            last.is_some_and(|last| last.eq_ignore_ascii_case(word.as_bytes()))
+        };
+        let begins = ["}", ";", ":", "THEN", "ELSE", "DO", "REPEAT", "END_VAR"];
+        if !begins.iter().any(|word| ends(word)) {
+            return false;
+        }
+        let mut depth = 0_usize;
+        let end = rest.char_indices().find(|(_, c)| {
+            depth += usize::from(*c == '{');
+            depth -= usize::from(*c == '}');
+            depth == 0
+        });
+        let code = end.and_then(|(end, _)| rest.get(..=end));
+        let code = code.filter(|code| code.contains('(') && !code.contains(":="));
+        self.scan.at += code.map_or(0, str::len);
+        code.is_some()
+    }
+
     /// `/* … */`
     pub(super) fn slashed(&mut self) {
         let start = self.scan.at;

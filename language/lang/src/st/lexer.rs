@@ -65,6 +65,7 @@ impl Lexer<'_, '_> {
                     return self.token(Kind::ForeignCode, start);
                 }
                 b'{' if self.is_pragma() => {}
+                b'{' if self.code_in_braces() => return self.token(Kind::ForeignCode, start),
                 b'0'..=b'9' => {
                     self.number();
                     return self.token(Kind::Number, start);

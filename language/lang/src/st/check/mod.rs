@@ -18,6 +18,8 @@ mod types;
 mod units;
 
 use super::ast::File;
+use crate::TextLanguage;
+use crate::adapt::moved;
 use crate::diagnostics::{Code, Found, Span, Word};
 use crate::typed::build::{Builder, Letters};
 use crate::typed::{Tree, TypeId};
@@ -72,6 +74,12 @@ pub(super) fn check(text: &str, file: &File, board: Board, found: &mut Found) ->
     let mut builder = Builder::new(text, Letters::Alike, board, found);
     builder.is_list = file.is_list;
     builder.is_wide = file.is_wide;
+    let language = match file.is_list {
+        true => TextLanguage::Il,
+        false => TextLanguage::St,
+    };
+    let moved = moved(text, language, board).into_iter();
+    builder.moved = moved.map(|(old, new)| (old, (new, false))).collect();
     let mut checker = Checker::new(builder, file);
     checker.declare_all();
     checker.bodies();

@@ -54,6 +54,8 @@ pub(crate) struct Builder<'t, 'f> {
     /// Who calls whom, and where.
     pub(super) edges: Vec<(u32, u32, Span)>,
     pub(super) points: HashMap<Address, u32>,
+    /// Where points are that no board has, and whether that has been told.
+    pub moved: HashMap<String, (String, bool)>,
     pub(super) spellings: Spellings,
     pub(super) shown: Vec<(String, Variable, Option<u32>)>,
     pub(super) cells: u64,
@@ -93,6 +95,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             current: None,
             edges: Vec::new(),
             points: HashMap::new(),
+            moved: HashMap::new(),
             spellings: Spellings::default(),
             shown: Vec::new(),
             cells: 0,
