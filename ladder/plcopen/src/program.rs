@@ -99,7 +99,7 @@ fn drawn(
 }
 
 /// What a document refuses and a text may take.
-const AS_TEXT: [Code; 7] = [
+const AS_TEXT: [Code; 8] = [
     Code::XmlLoop,
     Code::XmlTangle,
     Code::XmlType,
@@ -107,6 +107,7 @@ const AS_TEXT: [Code; 7] = [
     Code::XmlNoneLeft,
     Code::XmlUndeclared,
     Code::XmlValue,
+    Code::XmlWritten,
 ];
 
 /// What is no mistake in a text.

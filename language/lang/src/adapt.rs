@@ -80,10 +80,16 @@ pub fn adapt_at(text: &str, points: &[Range<usize>], board: Board) -> Adapted {
         .map(|place| text.get(place.clone()).unwrap_or_default())
         .map(|written| written.to_uppercase().split_whitespace().collect())
         .collect();
-    let mut places = Places::new(keys.iter().filter_map(|key| read(key, Maker::Iec)), board);
+    let whole = |key| read(key, Maker::Iec);
+    let mut places = Places::new(keys.iter().filter_map(|key| whole(key)), board);
     let (mut adapted, mut behind) = (String::with_capacity(text.len()), 0);
     for (place, key) in points.iter().zip(&keys) {
-        let new = read(key, Maker::Iec).and_then(|written| places.place(&written, key));
+        // `%MW0.1`: a word within another.
+        let part = || key.split_once('.').and_then(|(word, _)| whole(word));
+        let new = match whole(key) {
+            Some(written) => places.place(&written, written.number, key),
+            None => part().and_then(|written| places.place(&written, None, key)),
+        };
         if let Some(new) = new {
             adapted.push_str(text.get(behind..place.start).unwrap_or_default());
             adapted.push_str(&new);
@@ -140,15 +146,16 @@ impl Places {
         }
     }
 
-    /// What to write in the place of this point; none where it stays as it is.
-    fn place(&mut self, written: &Written, key: &str) -> Option<String> {
+    /// What to write in the place of this point, which has this number; none where it stays as it is.
+    fn place(&mut self, written: &Written, number: Option<u16>, key: &str) -> Option<String> {
         let kind = written.kind;
-        let is_there = written.address.is_some_and(|one| exists(one, self.board));
+        let address = written.address.filter(|_| number.is_some());
+        let is_there = address.is_some_and(|one| exists(one, self.board));
         let counted = range(kind, self.board).is_some() || kind == Kind::Pwm;
         if is_there || !counted || matches!(kind, Kind::System | Kind::Group) {
             return None;
         }
-        let point = (kind, written.number.ok_or_else(|| key.to_owned()));
+        let point = (kind, number.ok_or_else(|| key.to_owned()));
         let new = match self.known.get(&point) {
             Some(new) => *new,
             None => {

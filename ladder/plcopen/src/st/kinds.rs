@@ -126,7 +126,13 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let is_name = |c: char| c.is_alphanumeric() || c == '_';
         let end = written.find(|c| !is_name(c)).unwrap_or(written.len());
         let (name, mut rest) = written.split_at_checked(end)?;
-        let mut kind = self.variables.get(&name.to_uppercase())?.kind.clone();
+        let name = name.to_uppercase();
+        let result = self.result.as_ref().filter(|(own, _)| *own == name);
+        let mut kind = match (self.variables.get(&name), result) {
+            (Some(variable), _) => variable.kind.clone(),
+            (None, Some((_, kind))) => kind.clone(),
+            (None, None) => return None,
+        };
         while !rest.is_empty() {
             if let Some(subscripts) = rest.strip_prefix('[') {
                 rest = subscripts.split_once(']')?.1;

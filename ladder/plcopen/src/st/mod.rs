@@ -73,6 +73,7 @@ pub(crate) fn write<'a, 'x: 'a>(
         own,
         network: &network,
         units,
+        result: (pou.kind == "function").then(|| (pou.name.to_uppercase(), units::returns(pou))),
         variables,
         found,
         sentences: Sentences::default(),
@@ -112,6 +113,8 @@ pub(crate) fn write<'a, 'x: 'a>(
 struct Body<'b, 'a, 'x> {
     network: &'b Network<'a, 'x>,
     units: &'b Units<'b, 'a, 'x>,
+    /// Of a function: its name in capitals, and the type of its result.
+    result: Option<(String, String)>,
     /// By their names in capitals.
     variables: HashMap<String, &'b Variable>,
     found: &'b mut Found,

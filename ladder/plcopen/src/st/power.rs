@@ -157,7 +157,8 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
         let is_name = name.chars().all(|c| c.is_alphanumeric() || c == '_')
             && !matches!(&*name, "TRUE" | "FALSE" | "0" | "1");
-        if is_name && !self.variables.contains_key(&name) {
+        let is_result = self.result.as_ref().is_some_and(|(own, _)| *own == name);
+        if is_name && !is_result && !self.variables.contains_key(&name) {
             self.tell(Code::XmlUndeclared, at, [written.as_str().into()]);
             return None;
         }

@@ -138,6 +138,11 @@ macro_rules! st_rows {
         "unoclp adapt writes a copy with points of a board"
         "nenhuma placa tem o ponto `{0}`; no PC ele é `{1}`"
         "unoclp adapt escreve uma cópia com pontos de uma placa";
+    128 StInputStored Warning
+        "`{0}` is an input, and what is stored there lasts until the next scan alone"
+        "the board reads its inputs before each scan; use a variable without an address"
+        "`{0}` é uma entrada, e o que se guarda nela só dura até a próxima varredura"
+        "a placa lê as entradas antes de cada varredura; use uma variável sem endereço";
     130 StUndeclared Error
         "nothing declares `{0}`"
         "{1}"

@@ -74,6 +74,7 @@ pub(super) fn check(text: &str, file: &File, board: Board, found: &mut Found) ->
     let mut builder = Builder::new(text, Letters::Alike, board, found);
     builder.is_list = file.is_list;
     builder.is_wide = file.is_wide;
+    builder.keeps_inputs = !file.is_list;
     let language = match file.is_list {
         true => TextLanguage::Il,
         false => TextLanguage::St,

@@ -3,7 +3,7 @@
 use super::super::ast::{Arm, Counting, Node, NodeKind, Path, Statement, StatementKind};
 use super::Checker;
 use crate::diagnostics::{Code, Span};
-use crate::typed::build::{Named, turns};
+use crate::typed::build::{Named, Target, turns};
 use crate::typed::{Base, Kind, Root, Stmt, StmtKind, UnitKind, Value};
 use std::collections::BTreeMap;
 
@@ -82,27 +82,44 @@ impl Checker<'_, '_, '_> {
         let condition = en.map(|en| self.condition(en));
         let mut done = Vec::new();
         self.statement(inner, &mut done);
-        let target = eno.and_then(|path| self.target(path));
+        let mut targets: Vec<Target> = self.eno_of(inner).into_iter().collect();
+        targets.extend(eno.and_then(|path| self.target(path)));
         let mut tell = |truth: bool| {
-            let target = target.clone()?;
-            let at = target.at;
-            let value = self.builder.literal(Base::Bool, Value::truth(truth), at);
-            self.builder.assign(target, value, at)
+            let targets = targets.iter().cloned();
+            let told = targets.filter_map(|target| {
+                let at = target.at;
+                let value = self.builder.literal(Base::Bool, Value::truth(truth), at);
+                self.builder.assign(target, value, at)
+            });
+            told.collect::<Vec<Stmt>>()
         };
         let is_told = tell(true);
-        let otherwise = match is_told.is_some() && condition.is_some() {
+        let otherwise = match !is_told.is_empty() && condition.is_some() {
             true => tell(false),
-            false => None,
+            false => Vec::new(),
         };
         done.extend(is_told);
         match condition {
             Some(condition) => {
-                let otherwise = otherwise.into_iter().collect();
                 let kind = StmtKind::If(vec![(condition, done)], otherwise);
                 all.push(Stmt { kind, at });
             }
             None => all.append(&mut done),
         }
+    }
+
+    /// ENO of the instance that a statement calls, where the text reads one.
+    fn eno_of(&mut self, statement: &Statement) -> Option<Target> {
+        let StatementKind::Call(path, _) = &statement.kind else {
+            return None;
+        };
+        let is_variable = matches!(self.builder.find(&path.name.text), Some(Named::Variable(_)));
+        let reads = || self.builder.text.to_uppercase().contains(".ENO");
+        if !is_variable || !reads() {
+            return None;
+        }
+        let target = self.target(path)?;
+        self.builder.eno(&target)
     }
 
     fn condition(&mut self, node: &Node) -> crate::typed::Expr {

@@ -2,7 +2,7 @@
 
 use super::super::ast::{Body, File, Name, Section, SpecKind, TypeSpec, UnitDecl};
 use super::super::kinds::has_types;
-use super::super::token::Kind;
+use super::super::token::{Kind, Token};
 use super::super::words::{Keyword, meant};
 use super::{Parsed, Parser, Told};
 use crate::diagnostics::{Code, Span};
@@ -114,18 +114,26 @@ impl Parser<'_, '_> {
             _ => Keyword::EndFunctionBlock,
         };
         self.next();
-        match self.foreign_code(end) {
+        match self.foreign_code(kind, end, file) {
             Some(code) => self.foreign_unit(kind, code, end, file),
             None => self.unit_behind(kind, start, end, file),
         }
     }
 
-    /// Code for another machine before the end of this unit.
-    fn foreign_code(&self, end: Keyword) -> Option<Span> {
+    /// Code for another machine before the end of this unit, or what uses a unit above that has it.
+    fn foreign_code(&self, kind: UnitKind, end: Keyword, file: &File) -> Option<Span> {
         let rest = self.tokens.iter().zip(&self.keywords).skip(self.at);
         let mut unit = rest.take_while(|(_, word)| **word != end && !word.begins_unit());
-        let found = unit.find(|(token, _)| token.kind == Kind::ForeignCode);
+        let is_foreign = |token: &Token| {
+            let uses = || file.foreign.iter().any(|unit| self.spells(token, &unit.text));
+            token.kind == Kind::ForeignCode || token.kind == Kind::Word && kind != UnitKind::Program && uses()
+        };
+        let found = unit.find(|(token, _)| is_foreign(token));
         found.map(|(token, _)| token.span)
+    }
+
+    fn spells(&self, token: &Token, name: &str) -> bool {
+        self.slice(token.span).eq_ignore_ascii_case(name)
     }
 
     /// Passes over a unit with code for another machine; only a program cannot do without.

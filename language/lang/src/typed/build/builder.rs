@@ -8,7 +8,7 @@ use crate::diagnostics::{Code, Found, Span, Word};
 use crate::points::Spellings;
 use crate::typed::{Base, Expr, ExprKind, Kind, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind};
 use std::borrow::Cow;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use unoclp_core::Board;
 use unoclp_point::Address;
 
@@ -62,6 +62,12 @@ pub(crate) struct Builder<'t, 'f> {
     pub(super) asked: u32,
     /// How many loops are open where a statement is made.
     pub loops: u32,
+    /// What is stored in an input lasts until the next scan.
+    pub keeps_inputs: bool,
+    /// The cells of inputs in which something is stored, and where first.
+    pub(super) stored_inputs: BTreeMap<u32, Span>,
+    /// The cells that say whether an instance was called, by the first cell of each.
+    pub(super) enos: HashMap<u32, u32>,
     /// The variables that count open loops.
     pub(super) counters: Vec<(Root, u32)>,
     /// Of loops whose bodies are made, one turn each.
@@ -101,6 +107,9 @@ impl<'t, 'f> Builder<'t, 'f> {
             cells: 0,
             asked: 0,
             loops: 0,
+            keeps_inputs: false,
+            stored_inputs: BTreeMap::new(),
+            enos: HashMap::new(),
             counters: Vec::new(),
             turns: Vec::new(),
             inputs_written: HashSet::new(),

@@ -8,7 +8,7 @@ use super::places::Target;
 use super::words::both;
 use crate::diagnostics::{Code, Span};
 use crate::typed::standard::Role;
-use crate::typed::{Base, Expr, ExprKind, Index, Kind, TypeId};
+use crate::typed::{Base, Cell, Expr, ExprKind, Index, Kind, Root, TypeId, Value};
 
 /// Whether anything but its block stores in a part of a block: in its inputs alone.
 fn lock_of(input: bool) -> Option<Lock> {
@@ -52,6 +52,15 @@ impl Builder<'_, '_> {
             _ => {}
         }
         let Some((offset, ty, locked)) = found else {
+            let is_block = matches!(kind, Kind::Standard(_) | Kind::Block(_));
+            if is_block
+                && key == "ENO"
+                && let Some(eno) = self.eno(&of)
+            {
+                let locked = Some(Lock::Output);
+                let at = of.at.to(at);
+                return Some(Target { locked, at, ..eno });
+            }
             if incomplete {
                 return None;
             }
@@ -90,6 +99,34 @@ impl Builder<'_, '_> {
             result: of.result,
             input: of.input,
             at: of.at.to(at),
+        })
+    }
+
+    /// ENO of an instance: whether its last call was made.
+    pub(crate) fn eno(&mut self, of: &Target) -> Option<Target> {
+        if of.place.root != Root::Static || !of.place.indices.is_empty() {
+            return None;
+        }
+        let new = self.tree.cells.len() as u32;
+        let offset = *self.enos.entry(of.place.offset).or_insert(new);
+        if offset == new {
+            self.tree.cells.push(Cell {
+                base: Base::Bool,
+                initial: Value::truth(true),
+                retain: false,
+                scratch: false,
+            });
+        }
+        let mut place = of.place.clone();
+        place.offset = offset;
+        Some(Target {
+            place,
+            ty: TypeId::of(Base::Bool),
+            locked: None,
+            value: None,
+            result: false,
+            input: false,
+            at: of.at,
         })
     }
 

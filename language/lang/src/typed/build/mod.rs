@@ -47,6 +47,7 @@ mod coerce;
 mod declare;
 mod finish;
 mod functions;
+mod inputs;
 mod members;
 mod named;
 mod names;
@@ -63,7 +64,7 @@ mod words;
 
 pub(crate) use arguments::{Argument, Given};
 pub(crate) use builder::{Builder, Draft, MOST_CELLS};
-pub use functions::is_function;
+pub use functions::{is_function, usual};
 pub(crate) use named::{Letters, Named, Section, Traits};
 pub(crate) use places::Target;
 pub(crate) use turns::turns;
