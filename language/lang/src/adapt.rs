@@ -108,6 +108,8 @@ pub fn adapt_at(text: &str, points: &[Range<usize>], board: Board) -> Adapted {
 struct Places {
     board: Board,
     used: BTreeSet<Address>,
+    /// Those that the text names itself.
+    named: BTreeSet<Address>,
     /// What a point is called now, by its kind and number; none where no place was left.
     known: HashMap<(Kind, Result<u16, String>), Option<u8>>,
     moved: Vec<(String, String)>,
@@ -121,12 +123,14 @@ impl Places {
         let mut places = Places {
             board,
             used: BTreeSet::new(),
+            named: BTreeSet::new(),
             known: HashMap::new(),
             moved: Vec::new(),
             left: Vec::new(),
         };
         for address in named.filter(|address| exists(*address, board)) {
             places.take(address);
+            places.named.insert(address);
         }
         places
     }
@@ -150,7 +154,11 @@ impl Places {
     fn place(&mut self, written: &Written, number: Option<u16>, key: &str) -> Option<String> {
         let kind = written.kind;
         let address = written.address.filter(|_| number.is_some());
-        let is_there = address.is_some_and(|one| exists(one, self.board));
+        // Where no pin is shared, an output and a PWM are two, whatever their numbers.
+        let is_shared = address.and_then(|one| self.beside(one)).is_some_and(|one| {
+            !self.board.has_firmware() && kind == Kind::Pwm && self.named.contains(&one)
+        });
+        let is_there = address.is_some_and(|one| exists(one, self.board)) && !is_shared;
         let counted = range(kind, self.board).is_some() || kind == Kind::Pwm;
         if is_there || !counted || matches!(kind, Kind::System | Kind::Group) {
             return None;

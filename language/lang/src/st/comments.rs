@@ -71,8 +71,9 @@ impl Lexer<'_, '_> {
 
     /// Skips C in single braces, which stands where a statement may begin and assigns nothing as Structured Text does.
     pub(super) fn code_in_braces(&mut self) -> bool {
-        let (before, rest) = self.scan.text.split_at(self.scan.at);
-        let before = before.trim_end().as_bytes();
+        let rest = self.scan.rest();
+        let before = self.scan.text.get(..self.behind).unwrap_or_default();
+        let before = before.as_bytes();
         let ends = |word: &&str| {
             let last = before.len().checked_sub(word.len());
             let last = last.and_then(|at| before.get(at..));

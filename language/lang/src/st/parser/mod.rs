@@ -114,11 +114,12 @@ impl<'t, 'f> Parser<'t, 'f> {
         };
         let keywords = tokens.iter().map(keyword).collect();
         let declares = |what: &str| {
-            tokens.windows(2).any(|two| {
-                let name = text.get(two[0].span.range()).unwrap_or_default();
-                let next = text.get(two[1].span.range()).unwrap_or_default();
-                let declares = matches!(two[1].kind, Kind::Colon | Kind::Comma);
-                name.eq_ignore_ascii_case(what) && (declares || next.eq_ignore_ascii_case("AT"))
+            tokens.windows(3).any(|three| {
+                let name = text.get(three[1].span.range()).unwrap_or_default();
+                let next = text.get(three[2].span.range()).unwrap_or_default();
+                let declares = matches!(three[2].kind, Kind::Colon | Kind::Comma);
+                let is_named = name.eq_ignore_ascii_case(what) && three[0].kind != Kind::Dot;
+                is_named && (declares || next.eq_ignore_ascii_case("AT"))
             })
         };
         let declares_n = declares("N");
