@@ -111,11 +111,7 @@ const AS_TEXT: [Code; 8] = [
 ];
 
 /// What is no mistake in a text.
-const BY_TEXT: [Code; 3] = [
-    Code::XmlLoop,
-    Code::XmlTangle,
-    Code::XmlBlock,
-];
+const BY_TEXT: [Code; 3] = [Code::XmlLoop, Code::XmlTangle, Code::XmlBlock];
 
 /// Whether a program reads an input of the board or drives an output.
 fn touches_points(program: &Checked) -> bool {

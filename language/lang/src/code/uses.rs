@@ -100,7 +100,9 @@ impl Uses {
         for called in self.blocks.values_mut() {
             let mut loops = self.loops.iter();
             // Each turn of a loop is a call; to a timer all of them are one, since it knows times alone.
-            if !called.block.is_timer() && loops.any(|(begin, end)| (*begin..=*end).contains(&called.at)) {
+            if !called.block.is_timer()
+                && loops.any(|(begin, end)| (*begin..=*end).contains(&called.at))
+            {
                 called.count += 1;
             }
         }

@@ -129,10 +129,10 @@ macro_rules! st_rows {
         "`{0}` é uma entrada desta unidade, e a unidade a altera"
         "use uma variável própria: VAR x : INT; END_VAR";
     126 StInputFirst Warning
-        "`{0}` is an input, so its first value is ignored"
-        "leave it out: the board reads the input before the first scan"
-        "`{0}` é uma entrada, e por isso o seu valor inicial é ignorado"
-        "retire-o: a placa lê a entrada antes da primeira varredura";
+        "only the board changes `{0}`, so its first value is ignored"
+        "leave it out: the board reads its inputs before the first scan"
+        "só a placa muda `{0}`, e por isso o seu valor inicial é ignorado"
+        "retire-o: a placa lê as entradas antes da primeira varredura";
     127 StMoved Warning
         "no board has the point `{0}`; on the PC it is `{1}`"
         "unoclp adapt writes a copy with points of a board"

@@ -269,16 +269,16 @@ impl Checker<'_, '_, '_> {
         let Some(counter) = counter.filter(|_| !turns.is_empty()) else {
             return (false, vec![self.statements(body)]);
         };
-        let mut bodies = Vec::new();
-        for turn in turns {
-            self.builder.begin_turn(counter, *turn);
-            let made = self.statements(body);
-            let picks = self.builder.end_turn();
-            bodies.push(made);
-            if !picks || self.builder.found.has_errors() {
-                return (picks, bodies);
-            }
+        let made = |this: &mut Self, turn: i128, is_written: bool| {
+            this.builder.begin_turn(counter, turn, is_written);
+            let body = this.statements(body);
+            (this.builder.end_turn(), body)
+        };
+        let (picks, first) = made(self, turns.first().copied().unwrap_or(0), false);
+        if !picks || self.builder.found.has_errors() {
+            return (picks, vec![first]);
         }
-        (true, bodies)
+        let turns = turns.iter();
+        (true, turns.map(|turn| made(self, *turn, true).1).collect())
     }
 }

@@ -125,8 +125,13 @@ impl Parser<'_, '_> {
         let rest = self.tokens.iter().zip(&self.keywords).skip(self.at);
         let mut unit = rest.take_while(|(_, word)| **word != end && !word.begins_unit());
         let is_foreign = |token: &Token| {
-            let uses = || file.foreign.iter().any(|unit| self.spells(token, &unit.text));
-            token.kind == Kind::ForeignCode || token.kind == Kind::Word && kind != UnitKind::Program && uses()
+            let uses = || {
+                file.foreign
+                    .iter()
+                    .any(|unit| self.spells(token, &unit.text))
+            };
+            token.kind == Kind::ForeignCode
+                || token.kind == Kind::Word && kind != UnitKind::Program && uses()
         };
         let found = unit.find(|(token, _)| is_foreign(token));
         found.map(|(token, _)| token.span)

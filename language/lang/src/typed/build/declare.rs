@@ -4,7 +4,9 @@ use super::builder::{Builder, MOST_CELLS};
 use super::named::{Named, Param, Section, Traits, Variable};
 use super::words::both;
 use crate::diagnostics::{Code, Span};
-use crate::typed::{Base, Declared, Expr, ExprKind, Initial, Kind, Root, Store, TypeId, UnitKind, Value};
+use crate::typed::{
+    Base, Declared, Expr, ExprKind, Initial, Kind, Root, Store, TypeId, UnitKind, Value,
+};
 use std::sync::Arc;
 
 impl Builder<'_, '_> {

@@ -188,7 +188,7 @@ impl Builder<'_, '_> {
             }
             let known = match &subscript.kind {
                 ExprKind::Constant(value) => Some(value.int()),
-                _ if blocks => self.picked(&subscript),
+                _ if blocks || self.writes_turns() => self.picked(&subscript),
                 _ => None,
             };
             match known {

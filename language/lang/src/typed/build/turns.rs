@@ -13,6 +13,8 @@ pub(crate) struct Turn {
     value: i128,
     /// Whether the value has picked an instance.
     picks: bool,
+    /// Whether it is known that it does.
+    is_written: bool,
 }
 
 /// The values that a loop's variable has in its turns; none where they are computed, or too many.
@@ -21,7 +23,8 @@ pub(crate) fn turns(head: &For) -> Vec<i128> {
         ExprKind::Constant(value) => Some(value.int()),
         _ => None,
     };
-    let (Some(from), Some(to), Some(step)) = (known(&head.from), known(&head.to), known(&head.step))
+    let (Some(from), Some(to), Some(step)) =
+        (known(&head.from), known(&head.to), known(&head.step))
     else {
         return Vec::new();
     };
@@ -38,13 +41,20 @@ pub(crate) fn turns(head: &For) -> Vec<i128> {
 }
 
 impl Builder<'_, '_> {
-    /// Begins the body of a turn in which this variable has this value.
-    pub(crate) fn begin_turn(&mut self, variable: (Root, u32), value: i128) {
+    /// Begins the body of a turn in which this variable has this value; where it is known that turns are written, one for
+    /// each, the value is that of every subscript too.
+    pub(crate) fn begin_turn(&mut self, variable: (Root, u32), value: i128, is_written: bool) {
         self.turns.push(Turn {
             variable,
             value,
             picks: false,
+            is_written,
         });
+    }
+
+    /// Whether the loop is known to be written once for each turn.
+    pub(super) fn writes_turns(&self) -> bool {
+        self.turns.iter().any(|turn| turn.is_written)
     }
 
     /// Ends it; whether the value has picked an instance.
