@@ -166,7 +166,10 @@ impl Keeper {
             let at = step.at;
             let made = match &step.does {
                 Does::Standard(block, cell, inputs) if self.again.contains(cell) => {
-                    self.timer(*cell, at).call(*block, inputs)
+                    let preset = given(&out, *cell).find(|(part, _)| *part == PT);
+                    let preset = preset.filter(|(_, preset)| known(preset).is_some());
+                    let preset = preset.map(|(_, preset)| preset.clone());
+                    self.timer(*cell, at).call(*block, inputs, preset)
                 }
                 Does::Order(order, block, cell) if self.again.contains(cell) => {
                     self.timer(*cell, at).order(order, *block)
@@ -270,21 +273,25 @@ impl Timer {
         }
     }
 
-    /// A call, as the interpreter's `blocks` do it.
-    fn call(&self, block: Standard, inputs: &[(u32, Expr)]) -> Vec<Does> {
+    /// A call, as the interpreter's `blocks` do it; where a constant has been stored in PT right before, by that.
+    fn call(&self, block: Standard, inputs: &[(u32, Expr)], stored: Option<Expr>) -> Vec<Does> {
         let input = |part| inputs.iter().find(|(of, _)| *of == part);
         let mut does = Vec::new();
-        let preset = match input(PT) {
-            Some((_, preset)) if known(preset).is_some() => Expr {
+        let preset = match (input(PT), stored) {
+            (Some((_, preset)), _) if known(preset).is_some() => Expr {
                 base: Base::Dint,
                 ..preset.clone()
             },
-            Some((_, preset)) => {
+            (None, Some(preset)) => Expr {
+                base: Base::Dint,
+                ..preset
+            },
+            (Some((_, preset)), _) => {
                 let [held, _] = self.held;
                 does.push(self.store(held, preset.clone()));
                 read(held, Base::Dint, self.at)
             }
-            None => self.number(PT),
+            (None, None) => self.number(PT),
         };
         let on = input(IN).map_or_else(|| self.bit(IN), |(_, on)| on.clone());
         let is_asked_again = matches!(block, Standard::Tp | Standard::Tonr);
