@@ -21,12 +21,12 @@ const BEFORE: u32 = 4;
 /// When its time began to run.
 const BEGAN: u32 = 5;
 
-/// A call of a TON with IN = FALSE makes it what it was before it ever started, as `RWT` does. Where one call alone does
-/// more, the timer stays the board's.
+/// A call of a TON with IN = FALSE makes it what it was before it ever started, as `RWT` does, whatever PT is. Where one call
+/// alone does more, the timer stays the board's.
 pub(super) fn reset(flat: &mut Flat) {
     let mut calls = HashMap::new();
     count(&flat.body, &mut calls);
-    calls.retain(|_, calls: &mut Calls| calls.resets > 0 && calls.others == 1 && calls.gives);
+    calls.retain(|_, calls: &mut Calls| calls.resets > 0 && calls.others > 0 && calls.gives);
     if calls.is_empty() {
         return;
     }
@@ -40,9 +40,9 @@ pub(super) fn reset(flat: &mut Flat) {
 struct Calls {
     resets: u32,
     others: u32,
-    /// Whether the last of those gives IN.
+    /// Whether each of those gives IN.
     gives: bool,
-    /// The preset that it gives, where that is known.
+    /// The preset that the only one gives, where that is known.
     preset: Option<Value>,
 }
 
@@ -81,9 +81,11 @@ fn count(steps: &[Step], calls: &mut HashMap<u32, Calls>) {
                 calls.resets += 1;
             } else {
                 let of = |part| given(before, cell).find(|(is, _)| *is == part);
+                let is_only = calls.others == 0;
                 calls.others += 1;
-                calls.gives = of(IN).is_some();
-                calls.preset = of(PT).and_then(|(_, preset)| known(preset)).cloned();
+                calls.gives = of(IN).is_some() && (is_only || calls.gives);
+                let preset = of(PT).and_then(|(_, preset)| known(preset));
+                calls.preset = preset.filter(|_| is_only).cloned();
             }
         }
         for inner in within(&step.does) {
@@ -166,10 +168,7 @@ impl Keeper {
             let at = step.at;
             let made = match &step.does {
                 Does::Standard(block, cell, inputs) if self.again.contains(cell) => {
-                    let preset = given(&out, *cell).find(|(part, _)| *part == PT);
-                    let preset = preset.filter(|(_, preset)| known(preset).is_some());
-                    let preset = preset.map(|(_, preset)| preset.clone());
-                    self.timer(*cell, at).call(*block, inputs, preset)
+                    self.timer(*cell, at).call(*block, inputs)
                 }
                 Does::Order(order, block, cell) if self.again.contains(cell) => {
                     self.timer(*cell, at).order(order, *block)
@@ -273,25 +272,21 @@ impl Timer {
         }
     }
 
-    /// A call, as the interpreter's `blocks` do it; where a constant has been stored in PT right before, by that.
-    fn call(&self, block: Standard, inputs: &[(u32, Expr)], stored: Option<Expr>) -> Vec<Does> {
+    /// A call, as the interpreter's `blocks` do it.
+    fn call(&self, block: Standard, inputs: &[(u32, Expr)]) -> Vec<Does> {
         let input = |part| inputs.iter().find(|(of, _)| *of == part);
         let mut does = Vec::new();
-        let preset = match (input(PT), stored) {
-            (Some((_, preset)), _) if known(preset).is_some() => Expr {
+        let preset = match input(PT) {
+            Some((_, preset)) if known(preset).is_some() => Expr {
                 base: Base::Dint,
                 ..preset.clone()
             },
-            (None, Some(preset)) => Expr {
-                base: Base::Dint,
-                ..preset
-            },
-            (Some((_, preset)), _) => {
+            Some((_, preset)) => {
                 let [held, _] = self.held;
                 does.push(self.store(held, preset.clone()));
                 read(held, Base::Dint, self.at)
             }
-            (None, None) => self.number(PT),
+            None => self.number(PT),
         };
         let on = input(IN).map_or_else(|| self.bit(IN), |(_, on)| on.clone());
         let is_asked_again = matches!(block, Standard::Tp | Standard::Tonr);
@@ -388,7 +383,9 @@ impl Timer {
             Order::Preset(value) => vec![self.set(PT, value.clone())],
             Order::Reset => {
                 let mut all = vec![self.put(BEFORE, false), self.put(Q, false)];
-                all.push(self.set(BEGAN, self.none()));
+                if block == Standard::Tonr {
+                    all.push(self.set(BEGAN, self.none()));
+                }
                 all.extend(self.show(self.none()));
                 all
             }
