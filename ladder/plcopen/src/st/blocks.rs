@@ -19,8 +19,10 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         if let Some(fine) = self.begun.get(&at) {
             return fine.then_some(());
         }
-        for above in self.calls_above(at) {
-            self.block(above);
+        self.calls_above(at);
+        if let Some(fine) = self.begun.get(&at) {
+            // A call above has asked for it.
+            return fine.then_some(());
         }
         self.begun.insert(at, true);
         let called = self.call(at);
@@ -28,22 +30,21 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         called
     }
 
-    /// The calls of the same instance that are drawn above and have not begun.
-    fn calls_above(&self, at: usize) -> Vec<usize> {
-        let elements = &self.network.elements;
-        let name = |at: usize| elements[at].node.attribute("instanceName");
-        let key = name(at).unwrap_or_default().to_uppercase();
-        if self.instances.get(&key).is_none_or(|calls| *calls < 2) {
-            return Vec::new();
+    /// Makes the calls of the same instance that are drawn above.
+    fn calls_above(&mut self, at: usize) {
+        let name = self.network.elements[at].node.attribute("instanceName");
+        let key = name.unwrap_or_default().to_uppercase();
+        loop {
+            let Some(calls) = self.instances.get_mut(&key) else {
+                return;
+            };
+            let next = calls.all.get(calls.made).copied();
+            let Some(next) = next.filter(|next| *next != at) else {
+                return;
+            };
+            calls.made += 1;
+            self.block(next);
         }
-        let place = |at: usize| (elements[at].place, at);
-        let is_above = |other: &usize| {
-            let is_same = name(*other).is_some_and(|name| name.eq_ignore_ascii_case(&key));
-            is_same && place(*other) < place(at) && !self.begun.contains_key(other)
-        };
-        let mut above: Vec<usize> = (0..elements.len()).filter(is_above).collect();
-        above.sort_by_key(|at| place(*at));
-        above
     }
 
     fn call(&mut self, at: usize) -> Option<()> {
@@ -53,7 +54,8 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let instance = element.node.attribute("instanceName").unwrap_or_default();
         let name = element.node.attribute("typeName").unwrap_or_default();
         let key = instance.to_uppercase();
-        let is_called_again = self.instances.get(&key).is_some_and(|calls| *calls > 1);
+        let calls = self.instances.get(&key);
+        let is_called_again = calls.is_some_and(|calls| calls.all.len() > 1);
         match self.variables.get(&key).map(|variable| &variable.kind) {
             None if !instance.contains(['.', '[']) || instance.is_empty() => {
                 self.tell(Code::XmlUndeclared, at, [instance.into()]);
@@ -240,13 +242,28 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     }
 }
 
-/// How many elements call each instance, by its name in capitals.
-pub(super) fn instances(network: &Network<'_, '_>) -> HashMap<String, usize> {
-    let elements = network.elements.iter();
-    let named = elements.filter_map(|element| element.node.attribute("instanceName"));
-    let mut instances = HashMap::new();
-    for name in named {
-        *instances.entry(name.to_uppercase()).or_default() += 1;
+/// The elements that call an instance.
+pub(super) struct Calls {
+    /// From top to bottom.
+    all: Vec<usize>,
+    /// How many of them have been asked for.
+    made: usize,
+}
+
+/// The calls of each instance, by its name in capitals.
+pub(super) fn instances(network: &Network<'_, '_>) -> HashMap<String, Calls> {
+    let mut instances: HashMap<String, Calls> = HashMap::new();
+    for (at, element) in network.elements.iter().enumerate() {
+        if let Some(name) = element.node.attribute("instanceName") {
+            let (all, made) = (Vec::new(), 0);
+            let calls = instances.entry(name.to_uppercase());
+            calls.or_insert(Calls { all, made }).all.push(at);
+        }
+    }
+    for calls in instances.values_mut() {
+        calls
+            .all
+            .sort_by_key(|at| (network.elements[*at].place, *at));
     }
     instances
 }

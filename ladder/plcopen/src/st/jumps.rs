@@ -8,6 +8,9 @@ use crate::xml::says;
 use std::collections::HashSet;
 use unoclp_lang::Code;
 
+/// No more labels are jumped to at once.
+const MOST_JUMPS: usize = 32;
+
 /// The labels of a network, the first at the end; of several with one name, the first.
 pub(super) fn labels(network: &Network<'_, '_>) -> Vec<usize> {
     let mut labels: Vec<usize> = (0..network.elements.len()).collect();
@@ -44,6 +47,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let network = self.network;
         let element = &network.elements[at];
         let label = element.node.attribute("label").unwrap_or_default();
+        self.look(at, network.elements.len())?;
         let is_label = |other: &usize| {
             let other = &network.elements[*other];
             other.kind == "label" && other.node.attribute("label") == Some(label)
@@ -59,6 +63,10 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let condition = self.condition(at, says(element.node, "negated"))?;
         let name = match self.jumps.get(label) {
             Some(name) => name.clone(),
+            None if self.jumps.len() >= MOST_JUMPS => {
+                self.too_large(at);
+                return None;
+            }
             None => {
                 let name = self.add("jump", "BOOL", at);
                 self.jumps.insert(label, name.clone());

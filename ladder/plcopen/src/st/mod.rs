@@ -133,8 +133,8 @@ struct Body<'b, 'a, 'x> {
     begun: HashMap<usize, bool>,
     /// Functions whose results have gone to the variables after them.
     stored: HashSet<usize>,
-    /// How many elements call an instance.
-    instances: HashMap<String, usize>,
+    /// The elements that call each instance.
+    instances: HashMap<String, blocks::Calls>,
     /// The variables that keep what one of several calls gave at an output.
     outputs: HashMap<(usize, String), String>,
     /// The labels that are still to come, the next at the end.

@@ -5,6 +5,9 @@
 use super::lexer::Lexer;
 use crate::diagnostics::{Code, Span};
 
+/// C in single braces is no longer, in characters.
+const LONGEST: usize = 4_000;
+
 impl Lexer<'_, '_> {
     /// `(* … *)`, which may hold others; where that leaves one open to the end of the text, they do not count.
     pub(super) fn comment(&mut self) {
@@ -84,7 +87,7 @@ impl Lexer<'_, '_> {
             return false;
         }
         let mut depth = 0_usize;
-        let end = rest.char_indices().find(|(_, c)| {
+        let end = rest.char_indices().take(LONGEST).find(|(_, c)| {
             depth += usize::from(*c == '{');
             depth -= usize::from(*c == '}');
             depth == 0

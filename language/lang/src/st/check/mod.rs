@@ -49,6 +49,8 @@ struct Checker<'a, 't, 'f> {
     blocks: HashMap<String, usize>,
     /// Units with code for another machine by their names, and whether something uses them.
     foreign: HashMap<String, bool>,
+    /// Whether the text reads ENO of an instance.
+    reads_eno: bool,
     within: u32,
 }
 
@@ -62,6 +64,7 @@ impl<'a, 't, 'f> Checker<'a, 't, 'f> {
             units: Vec::new(),
             blocks: HashMap::new(),
             foreign: HashMap::new(),
+            reads_eno: false,
             within: 0,
         }
     }
@@ -82,6 +85,7 @@ pub(super) fn check(text: &str, file: &File, board: Board, found: &mut Found) ->
     let moved = moved(text, language, board).into_iter();
     builder.moved = moved.map(|(old, new)| (old, (new, false))).collect();
     let mut checker = Checker::new(builder, file);
+    checker.reads_eno = text.to_uppercase().contains(".ENO");
     checker.declare_all();
     checker.bodies();
     checker.unused_foreign();

@@ -114,8 +114,7 @@ impl Checker<'_, '_, '_> {
             return None;
         };
         let is_variable = matches!(self.builder.find(&path.name.text), Some(Named::Variable(_)));
-        let reads = || self.builder.text.to_uppercase().contains(".ENO");
-        if !is_variable || !reads() {
+        if !is_variable || !self.reads_eno {
             return None;
         }
         let target = self.target(path)?;

@@ -30,6 +30,7 @@ use super::token::{Dialect, Kind, Token};
 use super::words::{Keyword, meant};
 use crate::diagnostics::{Code, Found, Span, Word};
 use crate::names::near::nearest;
+use std::collections::HashSet;
 
 /// Statements and parentheses nest no deeper.
 const MOST_OPEN: u32 = 200;
@@ -70,6 +71,8 @@ struct Parser<'t, 'f> {
     declares_n: bool,
     /// A unit declares a parameter EN or ENO of its own.
     declares_en: bool,
+    /// The units above with code for another machine, in capitals.
+    foreign: HashSet<String>,
     /// How many parentheses and statements are open.
     open: u32,
     /// What ends the statements that are open.
@@ -135,6 +138,7 @@ impl<'t, 'f> Parser<'t, 'f> {
             list: dialect == Dialect::Il,
             declares_n,
             declares_en,
+            foreign: HashSet::new(),
             open: 0,
             closers: Vec::new(),
             dead,

@@ -114,31 +114,28 @@ impl Parser<'_, '_> {
             _ => Keyword::EndFunctionBlock,
         };
         self.next();
-        match self.foreign_code(kind, end, file) {
+        match self.foreign_code(kind, end) {
             Some(code) => self.foreign_unit(kind, code, end, file),
             None => self.unit_behind(kind, start, end, file),
         }
     }
 
     /// Code for another machine before the end of this unit, or what uses a unit above that has it.
-    fn foreign_code(&self, kind: UnitKind, end: Keyword, file: &File) -> Option<Span> {
+    fn foreign_code(&self, kind: UnitKind, end: Keyword) -> Option<Span> {
         let rest = self.tokens.iter().zip(&self.keywords).skip(self.at);
         let mut unit = rest.take_while(|(_, word)| **word != end && !word.begins_unit());
-        let is_foreign = |token: &Token| {
-            let uses = || {
-                file.foreign
-                    .iter()
-                    .any(|unit| self.spells(token, &unit.text))
-            };
-            token.kind == Kind::ForeignCode
-                || token.kind == Kind::Word && kind != UnitKind::Program && uses()
+        let may_use = !self.foreign.is_empty() && kind != UnitKind::Program;
+        let uses = |token: &Token| {
+            self.foreign
+                .contains(&self.slice(token.span).to_uppercase())
+        };
+        let is_foreign = |token: &Token| match token.kind {
+            Kind::ForeignCode => true,
+            Kind::Word => may_use && uses(token),
+            _ => false,
         };
         let found = unit.find(|(token, _)| is_foreign(token));
         found.map(|(token, _)| token.span)
-    }
-
-    fn spells(&self, token: &Token, name: &str) -> bool {
-        self.slice(token.span).eq_ignore_ascii_case(name)
     }
 
     /// Passes over a unit with code for another machine; only a program cannot do without.
@@ -148,6 +145,7 @@ impl Parser<'_, '_> {
             self.tell(Code::StForeignCode, code, [name.text.as_str().into()]);
             self.wrong_declarations = true;
         }
+        self.foreign.insert(name.text.to_uppercase());
         file.foreign.push(name);
         while !self.is(Kind::End) && !self.keyword().begins_unit() {
             if self.accept_keyword(end) {

@@ -72,6 +72,8 @@ pub(crate) struct Builder<'t, 'f> {
     pub(super) counters: Vec<(Root, u32)>,
     /// Of loops whose bodies are made, one turn each.
     pub(super) turns: Vec<Turn>,
+    /// How many turns have been made of them.
+    pub(super) turns_made: usize,
     /// Inputs that their own units change, by the unit and the offset, which has been told.
     pub(super) inputs_written: HashSet<(Option<usize>, u32)>,
     pub(super) writes: bool,
@@ -112,6 +114,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             enos: HashMap::new(),
             counters: Vec::new(),
             turns: Vec::new(),
+            turns_made: 0,
             inputs_written: HashSet::new(),
             writes: false,
             lenient: false,

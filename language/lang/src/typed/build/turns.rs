@@ -7,6 +7,9 @@ use crate::typed::{Binary, Expr, ExprKind, For, Root, Stmt, StmtKind, Store, Val
 /// A loop of more turns stays one.
 const MOST_TURNS: usize = 100;
 
+/// All loops of a text, with those in them, are written for no more turns.
+const MOST_MADE: usize = 2_000;
+
 /// A turn of a loop, while its body is made.
 pub(crate) struct Turn {
     variable: (Root, u32),
@@ -44,6 +47,7 @@ impl Builder<'_, '_> {
     /// Begins the body of a turn in which this variable has this value; where it is known that turns are written, one for
     /// each, the value is that of every subscript too.
     pub(crate) fn begin_turn(&mut self, variable: (Root, u32), value: i128, is_written: bool) {
+        self.turns_made += 1;
         self.turns.push(Turn {
             variable,
             value,
@@ -62,8 +66,11 @@ impl Builder<'_, '_> {
         self.turns.pop().is_some_and(|turn| turn.picks)
     }
 
-    /// What a subscript is in the turns whose bodies are made.
+    /// What a subscript is in the turns whose bodies are made; none where they are too many.
     pub(super) fn picked(&mut self, subscript: &Expr) -> Option<i128> {
+        if self.turns_made > MOST_MADE {
+            return None;
+        }
         Some(match &subscript.kind {
             ExprKind::Constant(value) => value.int(),
             ExprKind::Read(place) if place.indices.is_empty() => {
