@@ -83,7 +83,7 @@ impl Lexer<'_, '_> {
             last.is_some_and(|last| last.eq_ignore_ascii_case(word.as_bytes()))
         };
         let begins = ["}", ";", ":", "THEN", "ELSE", "DO", "REPEAT", "END_VAR"];
-        if !begins.iter().any(|word| ends(word)) {
+        if !begins.iter().any(ends) {
             return false;
         }
         let mut depth = 0_usize;
