@@ -5,8 +5,7 @@ use super::sentences::{Group, Piece, piece};
 use super::units::standard;
 use crate::circuit::Circuit;
 use crate::found::span;
-use crate::network::{Network, Wire};
-use std::collections::HashMap;
+use crate::network::Wire;
 use unoclp_lang::Code;
 use unoclp_lang::typed::{Role, Standard};
 
@@ -242,30 +241,4 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let said = vec![piece(&text, span(element.node))];
         Some(vec![self.leaf((at, 100 + index), said)])
     }
-}
-
-/// The elements that call an instance.
-pub(super) struct Calls {
-    /// From top to bottom.
-    all: Vec<usize>,
-    /// How many of them have been asked for.
-    made: usize,
-}
-
-/// The calls of each instance, by its name in capitals.
-pub(super) fn instances(network: &Network<'_, '_>) -> HashMap<String, Calls> {
-    let mut instances: HashMap<String, Calls> = HashMap::new();
-    for (at, element) in network.elements.iter().enumerate() {
-        if let Some(name) = element.node.attribute("instanceName") {
-            let (all, made) = (Vec::new(), 0);
-            let calls = instances.entry(name.to_uppercase());
-            calls.or_insert(Calls { all, made }).all.push(at);
-        }
-    }
-    for calls in instances.values_mut() {
-        calls
-            .all
-            .sort_by_key(|at| (network.elements[*at].place, *at));
-    }
-    instances
 }

@@ -3,24 +3,11 @@
 use super::Body;
 use super::sentences::piece;
 use crate::found::span;
-use crate::network::Network;
 use crate::xml::says;
-use std::collections::HashSet;
 use unoclp_lang::Code;
 
 /// No more labels are jumped to at once.
 const MOST_JUMPS: usize = 32;
-
-/// The labels of a network, the first at the end; of several with one name, the first.
-pub(super) fn labels(network: &Network<'_, '_>) -> Vec<usize> {
-    let mut labels: Vec<usize> = (0..network.elements.len()).collect();
-    labels.retain(|at| network.elements[*at].kind == "label");
-    labels.sort_by_key(|at| (network.elements[*at].place, *at));
-    let mut named = HashSet::new();
-    labels.retain(|at| named.insert(network.elements[*at].node.attribute("label")));
-    labels.reverse();
-    labels
-}
 
 impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     /// Passes the labels above an element, or all of them: nothing jumps there any longer.

@@ -7,7 +7,7 @@
 //! - `jumps`: what a jump to a label below leaves out
 //! - `kinds`: of which type a result is, where it is stored
 //! - `sentences`: statements as they are written; `units`: what blocks a project has; `what`: what a block is; `wires`:
-//!   circles, and rungs that write what they read
+//!   circles, rungs that write what they read, the calls of an instance, labels
 //!
 //! A block is called once, before what takes its result first. Wires that lead back to a block bring what it gave in the
 //! scan before. Where an instance is drawn several times, each call keeps what it gave.
@@ -80,9 +80,9 @@ pub(crate) fn write<'a, 'x: 'a>(
         added: Vec::new(),
         begun: HashMap::new(),
         stored: HashSet::new(),
-        instances: blocks::instances(&network),
+        instances: wires::instances(&network),
         outputs: HashMap::new(),
-        labels: jumps::labels(&network),
+        labels: wires::labels(&network),
         jumps: HashMap::new(),
         known: HashMap::new(),
         enabled: HashMap::new(),
@@ -134,7 +134,7 @@ struct Body<'b, 'a, 'x> {
     /// Functions whose results have gone to the variables after them.
     stored: HashSet<usize>,
     /// The elements that call each instance.
-    instances: HashMap<String, blocks::Calls>,
+    instances: HashMap<String, wires::Calls>,
     /// The variables that keep what one of several calls gave at an output.
     outputs: HashMap<(usize, String), String>,
     /// The labels that are still to come, the next at the end.

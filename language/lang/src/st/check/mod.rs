@@ -18,9 +18,8 @@ mod types;
 mod units;
 
 use super::ast::File;
-use crate::TextLanguage;
-use crate::adapt::moved;
 use crate::diagnostics::{Code, Found, Span, Word};
+use crate::moved::adapt_at;
 use crate::typed::build::{Builder, Letters};
 use crate::typed::{Tree, TypeId};
 use std::collections::HashMap;
@@ -78,12 +77,10 @@ pub(super) fn check(text: &str, file: &File, board: Board, found: &mut Found) ->
     builder.is_list = file.is_list;
     builder.is_wide = file.is_wide;
     builder.keeps_inputs = !file.is_list;
-    let language = match file.is_list {
-        true => TextLanguage::Il,
-        false => TextLanguage::St,
-    };
-    let moved = moved(text, language, board).into_iter();
-    builder.moved = moved.map(|(old, new)| (old, (new, false))).collect();
+    if !board.has_firmware() {
+        let moved = adapt_at(text, &file.points, board).moved.into_iter();
+        builder.moved = moved.map(|(old, new)| (old, (new, false))).collect();
+    }
     let mut checker = Checker::new(builder, file);
     checker.reads_eno = text.to_uppercase().contains(".ENO");
     checker.declare_all();

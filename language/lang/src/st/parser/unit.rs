@@ -7,12 +7,14 @@ use super::super::words::{Keyword, meant};
 use super::{Parsed, Parser, Told};
 use crate::diagnostics::{Code, Span};
 use crate::typed::UnitKind;
+use std::ops::Range;
 
 impl Parser<'_, '_> {
     pub(super) fn file(&mut self) -> File {
         let mut file = File {
             is_list: self.list,
             is_wide: self.list && !has_types(self.text),
+            points: self.points(),
             ..File::default()
         };
         loop {
@@ -118,6 +120,13 @@ impl Parser<'_, '_> {
             Some(code) => self.foreign_unit(kind, code, end, file),
             None => self.unit_behind(kind, start, end, file),
         }
+    }
+
+    /// Where addresses stand.
+    fn points(&self) -> Vec<Range<usize>> {
+        let points = self.tokens.iter();
+        let points = points.filter(|token| token.kind == Kind::Address);
+        points.map(|token| token.span.range()).collect()
     }
 
     /// Code for another machine before the end of this unit, or what uses a unit above that has it.

@@ -2,8 +2,7 @@
 //!
 //! Owns units and where the front end is in them. Must not know what statements mean.
 
-use super::named::{Letters, Named, Param, Variable};
-use super::turns::Turn;
+use super::named::{Letters, Named, Param, Turn, Variable};
 use crate::diagnostics::{Code, Found, Span, Word};
 use crate::points::Spellings;
 use crate::typed::{Base, Expr, ExprKind, Kind, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind};

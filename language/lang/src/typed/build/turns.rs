@@ -1,6 +1,7 @@
 //! Loops whose variable picks the instance of a block in an array: their bodies are written once for each turn.
 
 use super::builder::Builder;
+use super::named::Turn;
 use crate::diagnostics::{Code, Span};
 use crate::typed::{Binary, Expr, ExprKind, For, Root, Stmt, StmtKind, Store, Value};
 
@@ -9,16 +10,6 @@ const MOST_TURNS: usize = 100;
 
 /// All loops of a text, with those in them, are written for no more turns.
 const MOST_MADE: usize = 2_000;
-
-/// A turn of a loop, while its body is made.
-pub(crate) struct Turn {
-    variable: (Root, u32),
-    value: i128,
-    /// Whether the value has picked an instance.
-    picks: bool,
-    /// Whether it is known that it does.
-    is_written: bool,
-}
 
 /// The values that a loop's variable has in its turns; none where they are computed, or too many.
 pub(crate) fn turns(head: &For) -> Vec<i128> {
