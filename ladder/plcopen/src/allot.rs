@@ -86,7 +86,10 @@ pub(crate) fn allot(
     let is_number = is_number(&kind);
     let symbol = if let Some(address) = &variable.address {
         let point = match all.points.address(address) {
-            Ok(point) => point,
+            Ok(point) => {
+                all.points.tell_moved(address, at, found);
+                point
+            }
             Err(help) => {
                 let words = [who.clone(), address.as_str().into(), help];
                 found.tell_at(Code::XmlAddress, at, words);

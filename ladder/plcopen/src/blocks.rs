@@ -114,7 +114,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         if self.enabled(at)?.is_empty() {
             return Some(());
         }
-        self.tell(Code::XmlEnable, at, []);
+        self.tell(Code::XmlTangle, at, []);
         None
     }
 

@@ -15,7 +15,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         let name = element.node.attribute("instanceName").unwrap_or_default();
         let meaning = self.meaning(at, name)?;
         if *self.called.entry(name.to_uppercase()).or_insert(at) != at {
-            self.tell(Code::XmlTwice, at, [name.into()]);
+            self.tell(Code::XmlTangle, at, []);
             return None;
         }
         let block = element.block();

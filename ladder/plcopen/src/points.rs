@@ -2,9 +2,12 @@
 //!
 //! Owns which are still free. Must not know how an address is written: the languages read it.
 
+use crate::adapt::adapt;
+use crate::found::Found;
+use std::collections::HashMap;
 use unoclp_core::Board;
 use unoclp_core::isa::REGISTERS;
-use unoclp_lang::Word;
+use unoclp_lang::{Code, Span, Word};
 use unoclp_point::Address;
 
 /// The points that are still free.
@@ -15,12 +18,20 @@ pub(crate) struct Points {
     counters: u128,
     labels: u128,
     timers: u8,
+    /// Where points are that no board has.
+    moved: HashMap<String, String>,
 }
 
 impl Points {
-    pub(crate) fn new(board: Board) -> Points {
+    /// Of a project, for a board.
+    pub(crate) fn of(project: &str, board: Board) -> Points {
+        let moved = match board.has_firmware() {
+            true => None,
+            false => adapt(project, board),
+        };
         Points {
             board,
+            moved: moved.map_or(HashMap::new(), |moved| moved.moved.into_iter().collect()),
             markers: 0,
             registers: 0,
             counters: 0,
@@ -34,7 +45,20 @@ impl Points {
     /// # Errors
     /// What to write, where the board has no such point.
     pub(crate) fn address(&self, address: &str) -> Result<Address, Word> {
-        unoclp_lang::point(address, self.board)
+        unoclp_lang::point(self.moved(address).unwrap_or(address), self.board)
+    }
+
+    /// The point in the place of one that no board has.
+    pub(crate) fn moved(&self, address: &str) -> Option<&str> {
+        let key: String = address.to_uppercase().split_whitespace().collect();
+        self.moved.get(&key).map(String::as_str)
+    }
+
+    /// Tells where a point is that no board has.
+    pub(crate) fn tell_moved(&self, address: &str, at: Span, found: &mut Found) {
+        if let Some(moved) = self.moved(address) {
+            found.tell_at(Code::StMoved, at, [address.trim().into(), moved.into()]);
+        }
     }
 
     /// Leaves out the point of this address where others are allotted.

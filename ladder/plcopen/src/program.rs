@@ -66,7 +66,12 @@ fn drawn(
 ) -> Found {
     let mut found = before.clone();
     ladder(text, project, board, &mut found, imported);
-    if !found.has_errors() || !found.is_only(&AS_TEXT) {
+    if !found.has_errors() {
+        return found;
+    }
+    if !found.is_only(&AS_TEXT) {
+        // A text would take the rest.
+        found.retain(|code| *code != Code::XmlTangle);
         return found;
     }
     let mut as_text = before;
@@ -97,21 +102,16 @@ fn drawn(
 const AS_TEXT: [Code; 8] = [
     Code::XmlLoop,
     Code::XmlTangle,
-    Code::XmlEnable,
     Code::XmlType,
     Code::XmlBlock,
     Code::XmlNoneLeft,
     Code::XmlUndeclared,
     Code::XmlValue,
+    Code::XmlWritten,
 ];
 
 /// What is no mistake in a text.
-const BY_TEXT: [Code; 4] = [
-    Code::XmlLoop,
-    Code::XmlTangle,
-    Code::XmlEnable,
-    Code::XmlBlock,
-];
+const BY_TEXT: [Code; 3] = [Code::XmlLoop, Code::XmlTangle, Code::XmlBlock];
 
 /// Whether a program reads an input of the board or drives an output.
 fn touches_points(program: &Checked) -> bool {
@@ -183,7 +183,7 @@ fn ladder(
     found: &mut Found,
     imported: &mut Imported,
 ) {
-    let mut points = Points::new(board);
+    let mut points = Points::of(text, board);
     let of_pous = project.programs.iter().flat_map(|pou| &pou.variables);
     let addresses = of_pous
         .chain(&project.globals)

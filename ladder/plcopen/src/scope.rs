@@ -38,7 +38,10 @@ impl Scope {
         }
         if upper.starts_with('%') {
             return match all.points.address(written) {
-                Ok(point) => Some(Meaning::Symbol(Symbol::At(point))),
+                Ok(point) => {
+                    all.points.tell_moved(written, at, found);
+                    Some(Meaning::Symbol(Symbol::At(point)))
+                }
                 Err(help) => {
                     let words = [who.clone(), written.trim().into(), help];
                     found.tell_at(Code::XmlAddress, at, words);

@@ -1,4 +1,5 @@
-//! Timers that are called more than once in a scan: the board's own are one place in the program each.
+//! Timers that are called in more places than one: the board's own are one place in the program each. A loop may come there
+//! as often as it likes.
 //!
 //! Owns what takes their place: calls that only reset a TON become its reset; what is left of several calls becomes steps
 //! that keep the timer in cells, by the time stamp of the scan. Must not know markers, registers and instructions.
@@ -20,21 +21,16 @@ const BEFORE: u32 = 4;
 /// When its time began to run.
 const BEGAN: u32 = 5;
 
-/// A call of a TON with IN = FALSE makes it what it was before it ever started, as `RWT` does. Where one call alone does
-/// more, and no loop repeats it, the timer stays the board's.
+/// A call of a TON with IN = FALSE makes it what it was before it ever started, as `RWT` does, whatever PT is. Where one call
+/// alone does more, the timer stays the board's.
 pub(super) fn reset(flat: &mut Flat) {
     let mut calls = HashMap::new();
     count(&flat.body, &mut calls);
-    calls.retain(|_, calls: &mut Calls| calls.resets > 0 && calls.others == 1 && calls.gives);
+    calls.retain(|_, calls: &mut Calls| calls.resets > 0 && calls.others > 0 && calls.gives);
     if calls.is_empty() {
         return;
     }
     let uses = Uses::of(flat);
-    // A call in a loop counts twice.
-    calls.retain(|cell, calls| {
-        let all = uses.blocks.get(cell).map_or(0, |called| called.count);
-        all == calls.resets + 1
-    });
     let body = std::mem::take(&mut flat.body);
     flat.body = with_resets(body, &calls, &uses);
 }
@@ -44,9 +40,9 @@ pub(super) fn reset(flat: &mut Flat) {
 struct Calls {
     resets: u32,
     others: u32,
-    /// Whether the last of those gives IN.
+    /// Whether each of those gives IN.
     gives: bool,
-    /// The preset that it gives, where that is known.
+    /// The preset that the only one gives, where that is known.
     preset: Option<Value>,
 }
 
@@ -85,9 +81,11 @@ fn count(steps: &[Step], calls: &mut HashMap<u32, Calls>) {
                 calls.resets += 1;
             } else {
                 let of = |part| given(before, cell).find(|(is, _)| *is == part);
+                let is_only = calls.others == 0;
                 calls.others += 1;
-                calls.gives = of(IN).is_some();
-                calls.preset = of(PT).and_then(|(_, preset)| known(preset)).cloned();
+                calls.gives = of(IN).is_some() && (is_only || calls.gives);
+                let preset = of(PT).and_then(|(_, preset)| known(preset));
+                calls.preset = preset.filter(|_| is_only).cloned();
             }
         }
         for inner in within(&step.does) {
@@ -385,7 +383,9 @@ impl Timer {
             Order::Preset(value) => vec![self.set(PT, value.clone())],
             Order::Reset => {
                 let mut all = vec![self.put(BEFORE, false), self.put(Q, false)];
-                all.push(self.set(BEGAN, self.none()));
+                if block == Standard::Tonr {
+                    all.push(self.set(BEGAN, self.none()));
+                }
                 all.extend(self.show(self.none()));
                 all
             }

@@ -99,8 +99,10 @@ impl Uses {
     fn edges(&mut self) {
         for called in self.blocks.values_mut() {
             let mut loops = self.loops.iter();
-            // Each turn of a loop is a call.
-            if loops.any(|(begin, end)| (*begin..=*end).contains(&called.at)) {
+            // Each turn of a loop is a call; to a timer all of them are one, since it knows times alone.
+            if !called.block.is_timer()
+                && loops.any(|(begin, end)| (*begin..=*end).contains(&called.at))
+            {
                 called.count += 1;
             }
         }

@@ -26,6 +26,7 @@ mod languages;
 mod lce;
 mod lexer;
 mod list;
+mod moved;
 mod names;
 mod operators;
 mod parser;
@@ -40,7 +41,7 @@ mod words;
 
 use unoclp_text::{colour, comments, diagnostics, dialect, literal, points, scanner};
 
-pub use adapt::{Adapted, adapt, adapt_at, written_points};
+pub use adapt::{adapt, written_points};
 pub use back::{instructions_to_il, spelled, to_il};
 pub use colour::Colour;
 pub use colours::{colours, colours_of_list};
@@ -51,6 +52,7 @@ pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word}
 pub use dialect::Dialect;
 pub use languages::{CheckedText, TextLanguage, check, compile_text, register};
 pub use literal::duration;
+pub use moved::{Adapted, adapt_at};
 pub use operators::is_operator;
 pub use points::{no_such_point, point};
 pub use st::has_types;

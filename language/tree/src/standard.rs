@@ -199,16 +199,19 @@ impl Standard {
         self.parts().len() as u32
     }
 
-    /// The block that has one of the norm's longer names, in upper case: `TON_TIME`, `CTU_INT`.
+    /// The block that has one of the norm's longer names, in upper case: `TON_TIME`, `CTU_INT`. Those that count in 64 bits,
+    /// or without a sign, count as those of DINT do.
     pub fn overloaded(name: &str) -> Option<Standard> {
         let (plain, of) = name.rsplit_once('_')?;
         let block = Standard::named(plain)?;
-        let same = match of {
-            "TIME" => block.is_timer(),
-            "INT" => block.is_counter(),
-            _ => false,
-        };
-        same.then_some(block)
+        match (block, of) {
+            (Standard::Tp | Standard::Ton | Standard::Tof, "TIME") => Some(block),
+            (Standard::Ctu | Standard::Ctd | Standard::Ctud, "INT") => Some(block),
+            (Standard::Ctu, "LINT" | "UDINT" | "ULINT") => Some(Standard::CtuDint),
+            (Standard::Ctd, "LINT" | "UDINT" | "ULINT") => Some(Standard::CtdDint),
+            (Standard::Ctud, "LINT" | "UDINT" | "ULINT") => Some(Standard::CtudDint),
+            _ => None,
+        }
     }
 
     /// The norm's name of a member that others call otherwise: RESET is R.

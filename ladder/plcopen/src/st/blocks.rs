@@ -18,10 +18,34 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         if let Some(fine) = self.begun.get(&at) {
             return fine.then_some(());
         }
+        self.calls_above(at);
+        if let Some(fine) = self.begun.get(&at) {
+            // A call above has asked for it.
+            return fine.then_some(());
+        }
         self.begun.insert(at, true);
         let called = self.call(at);
         self.begun.insert(at, called.is_some());
         called
+    }
+
+    /// Makes the calls of the same instance that are drawn above.
+    fn calls_above(&mut self, at: usize) {
+        let name = self.network.elements[at].node.attribute("instanceName");
+        let key = name.unwrap_or_default().to_uppercase();
+        let network = self.network;
+        let place = |at: usize| (network.elements[at].place, at);
+        loop {
+            let Some(calls) = self.instances.get_mut(&key) else {
+                return;
+            };
+            let next = calls.all.get(calls.made).copied();
+            let Some(next) = next.filter(|next| place(*next) < place(at)) else {
+                return;
+            };
+            calls.made += 1;
+            self.block(next);
+        }
     }
 
     fn call(&mut self, at: usize) -> Option<()> {
@@ -31,6 +55,8 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let instance = element.node.attribute("instanceName").unwrap_or_default();
         let name = element.node.attribute("typeName").unwrap_or_default();
         let key = instance.to_uppercase();
+        let calls = self.instances.get(&key);
+        let is_called_again = calls.is_some_and(|calls| calls.all.len() > 1);
         match self.variables.get(&key).map(|variable| &variable.kind) {
             None if !instance.contains(['.', '[']) || instance.is_empty() => {
                 self.tell(Code::XmlUndeclared, at, [instance.into()]);
@@ -44,11 +70,6 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             _ => {}
         }
         let norm = standard(&element.block());
-        let first = *self.instances.entry(key).or_insert(at);
-        if norm.is_some() && first != at {
-            self.tell(Code::XmlTwice, at, [instance.into()]);
-            return None;
-        }
         if let Some(input) = norm.and_then(|norm| self.lacks(at, norm)) {
             self.tell(Code::XmlPin, at, [input.into()]);
             return None;
@@ -70,7 +91,49 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
         call.push(piece(")", place));
         self.when(at, &enabled, call, None);
+        if is_called_again {
+            self.keep_outputs(at);
+        }
         Some(())
+    }
+
+    /// Keeps what a call gave, since another call of the instance follows.
+    fn keep_outputs(&mut self, at: usize) {
+        let network = self.network;
+        let element = &network.elements[at];
+        let instance = element.node.attribute("instanceName").unwrap_or_default();
+        let place = span(element.node);
+        let mut readers = network.readers[at].clone();
+        readers.retain(|reader| !network.is_end(reader.at));
+        for reader in readers {
+            let output = self.output(Wire {
+                from: at,
+                output: reader.output,
+            });
+            let key = (at, output.to_uppercase());
+            if output.eq_ignore_ascii_case("ENO") || self.outputs.contains_key(&key) {
+                continue;
+            }
+            let Some(kind) = self.member(&element.block(), output) else {
+                continue;
+            };
+            let what = format!("{instance}_{output}").replace(|c: char| !c.is_alphanumeric(), "_");
+            let name = self.add(&what, &kind, at);
+            let keeps = format!("{name} := {instance}.{output}");
+            self.sentences.add(vec![piece(&keeps, place)]);
+            self.outputs.insert(key, name);
+        }
+    }
+
+    /// The name of an output; of a wire that names none, the first.
+    fn output(&self, wire: Wire<'a>) -> &'a str {
+        let element = &self.network.elements[wire.from];
+        let named = element.outputs.iter().map(|(name, _)| *name);
+        let mut named = named.filter(|name| !name.eq_ignore_ascii_case("ENO"));
+        match wire.output {
+            "" => named.next().unwrap_or("Q"),
+            output => output,
+        }
     }
 
     /// An input to which nothing leads and without which a block of the norm does nothing.
@@ -154,12 +217,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     pub(super) fn gives(&mut self, wire: Wire<'a>) -> Option<Circuit> {
         let at = wire.from;
         let element = &self.network.elements[at];
-        let named = element.outputs.iter().map(|(name, _)| *name);
-        let mut named = named.filter(|name| !name.eq_ignore_ascii_case("ENO"));
-        let output = match wire.output {
-            "" => named.next().unwrap_or("Q"),
-            output => output,
-        };
+        let output = self.output(wire);
         if output.eq_ignore_ascii_case("ENO") {
             return match self.enabled.get(&at) {
                 Some(known) => known.clone(),
@@ -170,9 +228,13 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             };
         }
         let instance = element.node.attribute("instanceName").unwrap_or_default();
+        let given = match self.outputs.get(&(at, output.to_uppercase())) {
+            Some(kept) => kept.clone(),
+            None => format!("{instance}.{output}"),
+        };
         let text = match element.is_negated(output) {
-            true => format!("NOT {instance}.{output}"),
-            false => format!("{instance}.{output}"),
+            true => format!("NOT {given}"),
+            false => given,
         };
         let index = element.outputs.iter();
         let index = index.take_while(|(name, _)| *name != output).count();

@@ -2,11 +2,12 @@
 
 use super::Body;
 use super::sentences::{Piece, inverted, piece};
-use super::what::{What, usual};
+use super::what::What;
 use crate::circuit::Circuit;
 use crate::found::span;
 use crate::network::{Reader, Wire};
 use unoclp_lang::Code;
+use unoclp_lang::typed::usual;
 
 impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     /// What a function gives at an output.

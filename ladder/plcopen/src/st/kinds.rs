@@ -126,7 +126,13 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let is_name = |c: char| c.is_alphanumeric() || c == '_';
         let end = written.find(|c| !is_name(c)).unwrap_or(written.len());
         let (name, mut rest) = written.split_at_checked(end)?;
-        let mut kind = self.variables.get(&name.to_uppercase())?.kind.clone();
+        let name = name.to_uppercase();
+        let result = self.result.as_ref().filter(|(own, _)| *own == name);
+        let mut kind = match (self.variables.get(&name), result) {
+            (Some(variable), _) => variable.kind.clone(),
+            (None, Some((_, kind))) => kind.clone(),
+            (None, None) => return None,
+        };
         while !rest.is_empty() {
             if let Some(subscripts) = rest.strip_prefix('[') {
                 rest = subscripts.split_once(']')?.1;
@@ -145,7 +151,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     }
 
     /// The type of a member of a structure or a block.
-    fn member(&self, of: &str, member: &str) -> Option<String> {
+    pub(super) fn member(&self, of: &str, member: &str) -> Option<String> {
         if let Some(pou) = self.units.get(of) {
             let mut variables = pou.variables.iter();
             let own = variables.find(|own| own.name.eq_ignore_ascii_case(member))?;

@@ -4,15 +4,17 @@
 //!
 //! - `power`: the way of the power to an element, as an expression
 //! - `blocks`: calls of function blocks; `functions`: results of functions
+//! - `jumps`: what a jump to a label below leaves out
 //! - `kinds`: of which type a result is, where it is stored
 //! - `sentences`: statements as they are written; `units`: what blocks a project has; `what`: what a block is; `wires`:
-//!   circles, and rungs that write what they read
+//!   circles, rungs that write what they read, the calls of an instance, labels
 //!
 //! A block is called once, before what takes its result first. Wires that lead back to a block bring what it gave in the
-//! scan before.
+//! scan before. Where an instance is drawn several times, each call keeps what it gave.
 
 mod blocks;
 mod functions;
+mod jumps;
 mod kinds;
 mod power;
 mod sentences;
@@ -71,13 +73,17 @@ pub(crate) fn write<'a, 'x: 'a>(
         own,
         network: &network,
         units,
+        result: (pou.kind == "function").then(|| (pou.name.to_uppercase(), units::returns(pou))),
         variables,
         found,
         sentences: Sentences::default(),
         added: Vec::new(),
         begun: HashMap::new(),
         stored: HashSet::new(),
-        instances: HashMap::new(),
+        instances: wires::instances(&network),
+        outputs: HashMap::new(),
+        labels: wires::labels(&network),
+        jumps: HashMap::new(),
         known: HashMap::new(),
         enabled: HashMap::new(),
         names: HashMap::new(),
@@ -88,10 +94,12 @@ pub(crate) fn write<'a, 'x: 'a>(
     };
     body.taken.insert(pou.name.to_uppercase());
     for sink in sinks(&network, &is_block) {
+        body.pass_labels(Some(sink));
         if body.sink(sink).is_none() && !body.found.has_errors() {
             body.tell(Code::XmlTangle, sink, []);
         }
     }
+    body.pass_labels(None);
     for at in (0..network.elements.len()).filter(|at| is_block(&network.elements[*at])) {
         let _ = body.block(at);
     }
@@ -105,6 +113,8 @@ pub(crate) fn write<'a, 'x: 'a>(
 struct Body<'b, 'a, 'x> {
     network: &'b Network<'a, 'x>,
     units: &'b Units<'b, 'a, 'x>,
+    /// Of a function: its name in capitals, and the type of its result.
+    result: Option<(String, String)>,
     /// By their names in capitals.
     variables: HashMap<String, &'b Variable>,
     found: &'b mut Found,
@@ -123,8 +133,14 @@ struct Body<'b, 'a, 'x> {
     begun: HashMap<usize, bool>,
     /// Functions whose results have gone to the variables after them.
     stored: HashSet<usize>,
-    /// Which element calls an instance.
-    instances: HashMap<String, usize>,
+    /// The elements that call each instance.
+    instances: HashMap<String, wires::Calls>,
+    /// The variables that keep what one of several calls gave at an output.
+    outputs: HashMap<(usize, String), String>,
+    /// The labels that are still to come, the next at the end.
+    labels: Vec<usize>,
+    /// The variables that say where to jump, by the names of the labels.
+    jumps: HashMap<&'a str, String>,
     known: HashMap<Wire<'a>, Option<Circuit>>,
     /// The ways to EN.
     enabled: HashMap<usize, Option<Circuit>>,
@@ -152,10 +168,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
                 self.sentences.only(condition, vec![piece("RETURN", place)]);
                 Some(())
             }
-            "jump" => {
-                self.tell(Code::XmlJump, at, []);
-                None
-            }
+            "jump" => self.jump(at),
             "block" if self.own[at].is_function() => self.store(at),
             "block" if self.own[at] == what::What::Unknown => self.unknown(at),
             "block" => {

@@ -157,7 +157,8 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
         let is_name = name.chars().all(|c| c.is_alphanumeric() || c == '_')
             && !matches!(&*name, "TRUE" | "FALSE" | "0" | "1");
-        if is_name && !self.variables.contains_key(&name) {
+        let is_result = self.result.as_ref().is_some_and(|(own, _)| *own == name);
+        if is_name && !is_result && !self.variables.contains_key(&name) {
             self.tell(Code::XmlUndeclared, at, [written.as_str().into()]);
             return None;
         }
@@ -236,15 +237,24 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         leaves(circuit, &mut |leaf| {
             parts += self.words.get(&leaf.key).map_or(1, Vec::len);
         });
+        if parts > LARGEST {
+            self.too_large(at);
+            return None;
+        }
+        self.look(at, parts)
+    }
+
+    /// Counts what is looked at for an element; none where it is too much, which is told.
+    pub(super) fn look(&mut self, at: usize, parts: usize) -> Option<()> {
         self.work += parts;
-        if parts > LARGEST || self.work > MOST_WORK {
+        if self.work > MOST_WORK {
             self.too_large(at);
             return None;
         }
         Some(())
     }
 
-    fn too_large(&mut self, at: usize) {
+    pub(super) fn too_large(&mut self, at: usize) {
         self.network.too_large(at, self.found);
     }
 }

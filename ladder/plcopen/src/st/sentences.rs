@@ -24,10 +24,14 @@ pub(super) fn inverted(value: Vec<Piece>, at: Span) -> Vec<Piece> {
 #[derive(Default)]
 pub(super) struct Sentences {
     all: Vec<Sentence>,
+    /// The variables that say where a jump to a label below leaves out what comes now.
+    jumps: Vec<String>,
 }
 
 /// A statement, or several that have one condition.
 struct Sentence {
+    /// What stands between a jump and its label: done where none of these is TRUE.
+    jumps: Vec<String>,
     /// None: always.
     condition: Option<Vec<Piece>>,
     /// What conditions that are one and the same have in common.
@@ -39,11 +43,34 @@ struct Sentence {
 impl Sentences {
     /// What is done always.
     pub(super) fn add(&mut self, does: Vec<Piece>) {
+        self.push(None, None, does, None);
+    }
+
+    /// From here on nothing is done where this variable is TRUE.
+    pub(super) fn jump(&mut self, name: &str) {
+        if !self.jumps.iter().any(|jump| jump == name) {
+            self.jumps.push(name.to_owned());
+        }
+    }
+
+    /// From here on that variable counts no longer.
+    pub(super) fn land(&mut self, name: &str) {
+        self.jumps.retain(|jump| jump != name);
+    }
+
+    fn push(
+        &mut self,
+        condition: Option<Vec<Piece>>,
+        group: Option<Group>,
+        does: Vec<Piece>,
+        otherwise: Option<Vec<Piece>>,
+    ) {
         self.all.push(Sentence {
-            condition: None,
-            group: None,
+            jumps: self.jumps.clone(),
+            condition,
+            group,
             does: vec![does],
-            otherwise: Vec::new(),
+            otherwise: otherwise.into_iter().collect(),
         });
     }
 
@@ -53,18 +80,13 @@ impl Sentences {
         if is_always {
             return self.add(does);
         }
-        self.all.push(Sentence {
-            condition: Some(condition),
-            group: None,
-            does: vec![does],
-            otherwise: Vec::new(),
-        });
+        self.push(Some(condition), None, does, None);
     }
 
     /// Whether the last condition is that of this group, which need not be asked again.
     fn is_in(&self, group: &Group) -> bool {
         let last = self.all.last();
-        last.is_some_and(|last| last.group.as_ref() == Some(group))
+        last.is_some_and(|last| last.group.as_ref() == Some(group) && last.jumps == self.jumps)
     }
 
     /// What is done where this is TRUE, and where it is not; conditions of one group right after each other are asked once.
@@ -82,12 +104,7 @@ impl Sentences {
             last.otherwise.extend(otherwise);
             return;
         }
-        self.all.push(Sentence {
-            condition: Some(condition),
-            group: Some(group),
-            does: vec![does],
-            otherwise: otherwise.into_iter().collect(),
-        });
+        self.push(Some(condition), Some(group), does, otherwise);
     }
 
     /// All of them, a line each.
@@ -101,7 +118,20 @@ impl Sentences {
                 pieces.push(piece(";\n", at));
             }
         };
+        let mut left_out: Vec<String> = Vec::new();
         for sentence in self.all {
+            if sentence.jumps != left_out {
+                let at = sentence.does.iter().flatten().next();
+                let at = at.map_or(Span::default(), |(_, at)| *at);
+                if !left_out.is_empty() {
+                    pieces.push(piece("END_IF;\n", at));
+                }
+                if !sentence.jumps.is_empty() {
+                    let any = sentence.jumps.join(" OR ");
+                    pieces.push(piece(&format!("IF NOT ({any}) THEN\n"), at));
+                }
+                left_out = sentence.jumps;
+            }
             let Some(condition) = sentence.condition else {
                 lines(sentence.does, "", &mut pieces);
                 continue;
@@ -116,6 +146,9 @@ impl Sentences {
                 lines(sentence.otherwise, "  ", &mut pieces);
             }
             pieces.push(piece("END_IF;\n", at));
+        }
+        if !left_out.is_empty() {
+            pieces.push(piece("END_IF;\n", Span::default()));
         }
         pieces
     }

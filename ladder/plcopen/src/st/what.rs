@@ -39,20 +39,9 @@ pub(super) fn own(network: &Network<'_, '_>, units: &Units<'_, '_, '_>) -> Vec<W
             _ if units.is_block(element) => What::Block,
             Some(_) => What::Own,
             None if matches!(&*name, "GT" | "GE" | "EQ" | "NE" | "LE" | "LT") => What::Truth,
-            None if is_function(usual(&name)) => What::Function,
+            None if is_function(&name) => What::Function,
             None => What::Unknown,
         }
     });
     what.collect()
-}
-
-/// The name of a function that the norm has for times alone too: `SUB_TIME`.
-pub(super) fn usual(name: &str) -> &str {
-    match name {
-        "ADD_TIME" | "ADD_TOD_TIME" | "ADD_DT_TIME" => "ADD",
-        "SUB_TIME" | "SUB_TOD_TIME" | "SUB_DT_TIME" => "SUB",
-        "MULTIME" | "MUL_TIME" => "MUL",
-        "DIVTIME" | "DIV_TIME" => "DIV",
-        name => name,
-    }
 }

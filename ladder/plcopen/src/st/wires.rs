@@ -92,3 +92,40 @@ pub(super) fn rewrites(network: &Network<'_, '_>, own: &[What]) -> Vec<bool> {
     let all = 0..own.len();
     all.map(|at| rungs.contains(&network.rung(at))).collect()
 }
+
+/// The elements that call an instance.
+pub(super) struct Calls {
+    /// From top to bottom.
+    pub all: Vec<usize>,
+    /// How many of them have been asked for.
+    pub made: usize,
+}
+
+/// The calls of each instance, by its name in capitals.
+pub(super) fn instances(network: &Network<'_, '_>) -> HashMap<String, Calls> {
+    let mut instances: HashMap<String, Calls> = HashMap::new();
+    for (at, element) in network.elements.iter().enumerate() {
+        if let Some(name) = element.node.attribute("instanceName") {
+            let (all, made) = (Vec::new(), 0);
+            let calls = instances.entry(name.to_uppercase());
+            calls.or_insert(Calls { all, made }).all.push(at);
+        }
+    }
+    for calls in instances.values_mut() {
+        calls
+            .all
+            .sort_by_key(|at| (network.elements[*at].place, *at));
+    }
+    instances
+}
+
+/// The labels of a network, the first at the end; of several with one name, the first.
+pub(super) fn labels(network: &Network<'_, '_>) -> Vec<usize> {
+    let mut labels: Vec<usize> = (0..network.elements.len()).collect();
+    labels.retain(|at| network.elements[*at].kind == "label");
+    labels.sort_by_key(|at| (network.elements[*at].place, *at));
+    let mut named = HashSet::new();
+    labels.retain(|at| named.insert(network.elements[*at].node.attribute("label")));
+    labels.reverse();
+    labels
+}

@@ -3,6 +3,7 @@
 use crate::project_of;
 use crate::{Pou, project};
 use unoclp_core::Board;
+use unoclp_lang::Code;
 use unoclp_plcopen::{adapt, import};
 
 /// A contact and a coil, both on another PLC's points, one of them declared.
@@ -58,4 +59,17 @@ fn what_lacks_nothing_stays_as_it_is_and_what_is_no_xml_is_not_touched() {
     let made = adapt(&mine, Board::UNO).unwrap();
     assert_eq!((made.text, made.moved.len()), (mine, 0));
     assert!(adapt("<a", Board::UNO).is_none());
+}
+
+#[test]
+fn on_a_pc_they_take_their_places_by_themselves() {
+    let drawn = project(LAMP, LADDER);
+    let text = "<ST><xhtml:p><![CDATA[%QX0.0 := %IX100.1; lamp := %MW0.1 > %MW0.2 AND %QW1 > 0;\n]]></xhtml:p></ST>";
+    for (project, told) in [(drawn, 2), (project(LAMP, text), 5)] {
+        let made = import(&project, Board::PC);
+        assert!(made.program.is_some(), "{:?}", made.diagnostics);
+        let moved = made.diagnostics.iter();
+        let moved = moved.filter(|told| told.code == Code::StMoved).count();
+        assert_eq!(moved, told, "{:?}", made.diagnostics);
+    }
 }

@@ -238,4 +238,6 @@ pub(super) struct File {
     pub units: Vec<UnitDecl>,
     /// Functions and blocks that contain code for another machine; nothing else of them is read.
     pub foreign: Vec<Name>,
+    /// Where it names points.
+    pub points: Vec<std::ops::Range<usize>>,
 }

@@ -5,6 +5,9 @@
 use super::lexer::Lexer;
 use crate::diagnostics::{Code, Span};
 
+/// C in single braces is no longer, in characters.
+const LONGEST: usize = 4_000;
+
 impl Lexer<'_, '_> {
     /// `(* … *)`, which may hold others; where that leaves one open to the end of the text, they do not count.
     pub(super) fn comment(&mut self) {
@@ -67,6 +70,32 @@ impl Lexer<'_, '_> {
                 self.scan.at = self.scan.text.len();
             }
         }
+    }
+
+    /// Skips C in single braces, which stands where a statement may begin and assigns nothing as Structured Text does.
+    pub(super) fn code_in_braces(&mut self) -> bool {
+        let rest = self.scan.rest();
+        let before = self.scan.text.get(..self.behind).unwrap_or_default();
+        let before = before.as_bytes();
+        let ends = |word: &&str| {
+            let last = before.len().checked_sub(word.len());
+            let last = last.and_then(|at| before.get(at..));
+            last.is_some_and(|last| last.eq_ignore_ascii_case(word.as_bytes()))
+        };
+        let begins = ["}", ";", ":", "THEN", "ELSE", "DO", "REPEAT", "END_VAR"];
+        if !begins.iter().any(ends) {
+            return false;
+        }
+        let mut depth = 0_usize;
+        let end = rest.char_indices().take(LONGEST).find(|(_, c)| {
+            depth += usize::from(*c == '{');
+            depth -= usize::from(*c == '}');
+            depth == 0
+        });
+        let code = end.and_then(|(end, _)| rest.get(..=end));
+        let code = code.filter(|code| code.contains('(') && !code.contains(":="));
+        self.scan.at += code.map_or(0, str::len);
+        code.is_some()
     }
 
     /// `/* … */`

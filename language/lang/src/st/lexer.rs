@@ -15,10 +15,12 @@ pub(crate) fn tokens(text: &str, dialect: Dialect, found: &mut Found) -> Vec<Tok
         scl: dialect == Dialect::Scl,
         remarks: dialect == Dialect::Il,
         list: dialect == Dialect::Il,
+        behind: 0,
         found,
     };
     let mut tokens = Vec::with_capacity(text.len() / 4 + 1);
     while let Some(token) = lexer.next() {
+        lexer.behind = lexer.scan.at;
         tokens.push(token);
     }
     let end = text.len() as u32;
@@ -38,6 +40,8 @@ pub(super) struct Lexer<'t, 'f> {
     /// `;` begins a comment, but for where declarations stand.
     remarks: bool,
     list: bool,
+    /// Where the last token ended.
+    pub behind: usize,
     pub found: &'f mut Found,
 }
 
@@ -65,6 +69,7 @@ impl Lexer<'_, '_> {
                     return self.token(Kind::ForeignCode, start);
                 }
                 b'{' if self.is_pragma() => {}
+                b'{' if self.code_in_braces() => return self.token(Kind::ForeignCode, start),
                 b'0'..=b'9' => {
                     self.number();
                     return self.token(Kind::Number, start);

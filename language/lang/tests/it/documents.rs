@@ -154,6 +154,8 @@ fn examples() {
                 "IL-" => compile(text, &Options::on(unoclp_core::Board::UNO)).diagnostics,
                 "ISCL-" => check(text, TextLanguage::Iscl, unoclp_core::Board::UNO).diagnostics,
                 "LCE-" => check(text, TextLanguage::Lce, unoclp_core::Board::UNO).diagnostics,
+                // Of points that no board has.
+                _ if code == Code::StMoved => check(text, TextLanguage::St, Board::PC).diagnostics,
                 // Those about the board.
                 _ if code.number() > 200 => {
                     compile_text(text, TextLanguage::St, Board::UNO).diagnostics

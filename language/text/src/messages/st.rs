@@ -119,15 +119,30 @@ macro_rules! st_rows {
         "`{0}` contém código em C e é ignorado: nada o usa"
         "você não precisa mudar nada";
     124 StForeignCode Error
-        "`{0}` contains C code in double braces, which the board does not run"
+        "`{0}` contains C code in braces, which the board does not run"
         "write it in Structured Text, or delete what uses it"
-        "`{0}` contém código em C entre chaves duplas, que a placa não executa"
+        "`{0}` contém código em C entre chaves, que a placa não executa"
         "escreva-o em Texto Estruturado, ou apague o que o usa";
     125 StInputWritten Warning
         "`{0}` is an input of this unit, and the unit changes it"
         "use a variable of its own: VAR x : INT; END_VAR"
         "`{0}` é uma entrada desta unidade, e a unidade a altera"
         "use uma variável própria: VAR x : INT; END_VAR";
+    126 StInputFirst Warning
+        "only the board changes `{0}`, so its first value is ignored"
+        "leave it out: the board reads its inputs before the first scan"
+        "só a placa muda `{0}`, e por isso o seu valor inicial é ignorado"
+        "retire-o: a placa lê as entradas antes da primeira varredura";
+    127 StMoved Warning
+        "no board has the point `{0}`; on the PC it is `{1}`"
+        "unoclp adapt writes a copy with points of a board"
+        "nenhuma placa tem o ponto `{0}`; no PC ele é `{1}`"
+        "unoclp adapt escreve uma cópia com pontos de uma placa";
+    128 StInputStored Warning
+        "`{0}` is an input, and what is stored there lasts until the next scan alone"
+        "the board reads its inputs before each scan; use a variable without an address"
+        "`{0}` é uma entrada, e o que se guarda nela só dura até a próxima varredura"
+        "a placa lê as entradas antes de cada varredura; use uma variável sem endereço";
     130 StUndeclared Error
         "nothing declares `{0}`"
         "{1}"

@@ -88,21 +88,11 @@ macro_rules! xml_rows {
         "write to an output, a marker or a number"
         "{0}: `{1}` só pode ser lido"
         "escreva em uma saída, uma memória ou um número";
-    518 XmlEnable Error
-        "{0}: EN depends on a condition, and such a block cannot be imported"
-        "wire EN to the left rail, and the condition to the first input"
-        "{0}: EN depende de uma condição, e um bloco assim não pode ser importado"
-        "ligue EN à barra da esquerda, e a condição à primeira entrada";
     519 XmlNoneLeft Error
         "{0}: no {1} is left for `{2}`"
         "the board has {3}"
         "{0}: não sobra {1} para `{2}`"
         "a placa tem {3}";
-    520 XmlTwice Error
-        "{0}: `{1}` is called a second time"
-        "declare an instance for each call"
-        "{0}: `{1}` é chamado pela segunda vez"
-        "declare uma instância para cada chamada";
     521 XmlTooLarge Error
         "the file is too large: {0}"
         "a project for this board is much smaller"
@@ -169,10 +159,10 @@ macro_rules! xml_rows {
         "{0}: o nome ou a expressão tem {1} bytes, e são lidos no máximo 1000"
         "escreva-o mais curto, ou calcule antes uma parte dele";
     534 XmlJump Error
-        "{0}: a jump cannot stand in a ladder with wires that lead back, blocks of the project's own, conversions, SEL and the like"
-        "put the condition of the jump into the rungs that it passes over, or into EN of their blocks"
-        "{0}: um desvio não pode ficar em um ladder com fios que voltam, blocos do próprio projeto, conversões, SEL e semelhantes"
-        "ponha a condição do desvio nas linhas que ele salta, ou em EN dos blocos delas";
+        "{0}: the label `{1}` stands above, and in a ladder with wires that lead back, blocks of the project's own, conversions, SEL and the like a jump leads on alone"
+        "a scan begins again by itself: jump to a label below, or write the loop in ST"
+        "{0}: o rótulo `{1}` fica acima, e em um ladder com fios que voltam, blocos do próprio projeto, conversões, SEL e semelhantes um desvio só leva adiante"
+        "a varredura recomeça por si mesma: desvie para um rótulo abaixo, ou escreva o laço em ST";
     535 XmlNoGlobal Warning
         "no global variable `{0}` is declared, so one is made of it"
         "declare it among the global variables of the resource, with its address"

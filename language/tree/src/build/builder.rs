@@ -2,10 +2,10 @@
 //!
 //! Owns units and where the front end is in them. Must not know what statements mean.
 
-use super::named::{Letters, Named, Param, Variable};
+use super::named::{Letters, Named, Param, Turn, Variable};
 use crate::{Base, Expr, ExprKind, Kind, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind};
 use std::borrow::Cow;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use unoclp_core::Board;
 use unoclp_point::Address;
 use unoclp_text::diagnostics::{Code, Found, Span, Word};
@@ -60,14 +60,26 @@ pub struct Builder<'t, 'f> {
     /// Who calls whom, and where.
     pub(super) edges: Vec<(u32, u32, Span)>,
     pub(super) points: HashMap<Address, u32>,
+    /// Where points are that no board has, and whether that has been told.
+    pub moved: HashMap<String, (String, bool)>,
     pub(super) spellings: Spellings,
     pub(super) shown: Vec<(String, Variable, Option<u32>)>,
     pub(super) cells: u64,
     pub(super) asked: u32,
     /// How many loops are open where a statement is made.
     pub loops: u32,
+    /// What is stored in an input lasts until the next scan.
+    pub keeps_inputs: bool,
+    /// The cells of inputs in which something is stored, and where first.
+    pub(super) stored_inputs: BTreeMap<u32, Span>,
+    /// The cells that say whether an instance was called, by the first cell of each.
+    pub(super) enos: HashMap<u32, u32>,
     /// The variables that count open loops.
     pub(super) counters: Vec<(Root, u32)>,
+    /// Of loops whose bodies are made, one turn each.
+    pub(super) turns: Vec<Turn>,
+    /// How many turns have been made of them.
+    pub(super) turns_made: usize,
     /// Inputs that their own units change, by the unit and the offset, which has been told.
     pub(super) inputs_written: HashSet<(Option<usize>, u32)>,
     pub(super) writes: bool,
@@ -98,12 +110,18 @@ impl<'t, 'f> Builder<'t, 'f> {
             current: None,
             edges: Vec::new(),
             points: HashMap::new(),
+            moved: HashMap::new(),
             spellings: Spellings::default(),
             shown: Vec::new(),
             cells: 0,
             asked: 0,
             loops: 0,
+            keeps_inputs: false,
+            stored_inputs: BTreeMap::new(),
+            enos: HashMap::new(),
             counters: Vec::new(),
+            turns: Vec::new(),
+            turns_made: 0,
             inputs_written: HashSet::new(),
             writes: false,
             lenient: false,

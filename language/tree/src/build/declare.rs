@@ -3,7 +3,9 @@
 use super::builder::{Builder, MOST_CELLS};
 use super::named::{Named, Param, Section, Traits, Variable};
 use super::words::both;
-use crate::{Declared, Expr, ExprKind, Initial, Kind, Root, Store, TypeId, UnitKind, Value};
+use crate::{
+    Base, Declared, Expr, ExprKind, Initial, Kind, Root, Store, TypeId, UnitKind, Value,
+};
 use std::sync::Arc;
 use unoclp_text::diagnostics::{Code, Span};
 
@@ -47,9 +49,8 @@ impl Builder<'_, '_> {
         let root = self.root_of(section);
         let offset = match (root, traits.point) {
             (Root::Static, Some(point)) => {
-                if !point.is_written() && traits.initial.is_some() {
-                    self.told_read_only(name, at);
-                    return None;
+                if !point.is_written() && traits.initial.as_deref().is_some_and(is_some_value) {
+                    self.tell(Code::StInputFirst, at, [name.into()]);
                 }
                 self.point_with(point, ty, &traits)
             }
@@ -107,14 +108,6 @@ impl Builder<'_, '_> {
             self.globals.insert(key, named);
         }
         Some(variable)
-    }
-
-    /// Tells that an input cannot begin with a value.
-    fn told_read_only(&mut self, name: &str, at: Span) {
-        let why = ("only the board changes it", "só a placa muda o valor dela");
-        let help = ("leave its first value out", "retire o valor inicial");
-        let words = [name.into(), why.into(), help.into()];
-        self.tell(Code::StInitial, at, words);
     }
 
     /// Makes the result of the function that the builder is in: its first local cells.
@@ -255,4 +248,9 @@ impl Builder<'_, '_> {
             }
         }
     }
+}
+
+/// Whether a first value is another than the one that a variable has anyway.
+fn is_some_value(initial: &Initial) -> bool {
+    !matches!(initial, Initial::Value(value) if *value == Value::zero(Base::Dint) || *value == Value::truth(false))
 }

@@ -24,6 +24,7 @@ impl Builder<'_, '_> {
             let end = Span { start: end, end };
             self.tell(Code::StNothingWritten, end, []);
         }
+        self.read_stored_inputs();
         self.make_symbols();
         let units = std::mem::take(&mut self.drafts);
         self.tree.units = units.into_iter().map(|draft| draft.unit).collect();

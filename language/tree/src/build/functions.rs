@@ -110,11 +110,23 @@ fn conversion_named(name: &str) -> Option<(Option<&str>, Base)> {
     Some((Some(from), Base::named(to)?))
 }
 
+/// The name, in capitals, of a function that the norm has for times alone too: `SUB_TIME`.
+pub fn usual(name: &str) -> &str {
+    match name {
+        "ADD_TIME" | "ADD_TOD_TIME" | "ADD_DT_TIME" => "ADD",
+        "SUB_TIME" | "SUB_TOD_TIME" | "SUB_DT_TIME" => "SUB",
+        "MULTIME" | "MUL_TIME" => "MUL",
+        "DIVTIME" | "DIV_TIME" => "DIV",
+        name => name,
+    }
+}
+
 /// Whether this is a standard function, or has the form of a conversion.
 pub fn is_function(name: &str) -> bool {
     let key = name.to_uppercase();
+    let key = usual(&key);
     let truncating = key.contains("_TRUNC_");
-    TABLE.iter().any(|row| row.0 == key) || conversion_named(&key).is_some() || truncating
+    TABLE.iter().any(|row| row.0 == key) || conversion_named(key).is_some() || truncating
 }
 
 impl Builder<'_, '_> {
@@ -126,7 +138,8 @@ impl Builder<'_, '_> {
     /// A standard function.
     pub fn function(&mut self, name: &str, arguments: Vec<Argument>, at: Span) -> Expr {
         let key = name.to_uppercase();
-        if let Some((from, to)) = conversion_named(&key) {
+        let key = usual(&key);
+        if let Some((from, to)) = conversion_named(key) {
             return self.conversion_function(name, from, to, Convert::Round, arguments, at);
         }
         if let Some((from, to)) = key.split_once("_TRUNC_") {

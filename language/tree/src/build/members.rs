@@ -7,7 +7,7 @@ use super::named::{Lock, Section};
 use super::places::Target;
 use super::words::both;
 use crate::standard::Role;
-use crate::{Base, Expr, ExprKind, Index, Kind, TypeId};
+use crate::{Base, Cell, Expr, ExprKind, Index, Kind, Root, TypeId, Value};
 use unoclp_text::diagnostics::{Code, Span};
 
 /// Whether anything but its block stores in a part of a block: in its inputs alone.
@@ -52,6 +52,15 @@ impl Builder<'_, '_> {
             _ => {}
         }
         let Some((offset, ty, locked)) = found else {
+            let is_block = matches!(kind, Kind::Standard(_) | Kind::Block(_));
+            if is_block
+                && key == "ENO"
+                && let Some(eno) = self.eno(&of)
+            {
+                let locked = Some(Lock::Output);
+                let at = of.at.to(at);
+                return Some(Target { locked, at, ..eno });
+            }
             if incomplete {
                 return None;
             }
@@ -90,6 +99,34 @@ impl Builder<'_, '_> {
             result: of.result,
             input: of.input,
             at: of.at.to(at),
+        })
+    }
+
+    /// ENO of an instance: whether its last call was made.
+    pub fn eno(&mut self, of: &Target) -> Option<Target> {
+        if of.place.root != Root::Static || !of.place.indices.is_empty() {
+            return None;
+        }
+        let new = self.tree.cells.len() as u32;
+        let offset = *self.enos.entry(of.place.offset).or_insert(new);
+        if offset == new {
+            self.tree.cells.push(Cell {
+                base: Base::Bool,
+                initial: Value::truth(true),
+                retain: false,
+                scratch: false,
+            });
+        }
+        let mut place = of.place.clone();
+        place.offset = offset;
+        Some(Target {
+            place,
+            ty: TypeId::of(Base::Bool),
+            locked: None,
+            value: None,
+            result: false,
+            input: false,
+            at: of.at,
         })
     }
 
@@ -149,9 +186,13 @@ impl Builder<'_, '_> {
                 right = false;
                 continue;
             }
-            match &subscript.kind {
-                ExprKind::Constant(value) => {
-                    let number = value.int();
+            let known = match &subscript.kind {
+                ExprKind::Constant(value) => Some(value.int()),
+                _ if blocks || self.writes_turns() => self.picked(&subscript),
+                _ => None,
+            };
+            match known {
+                Some(number) => {
                     if number < i128::from(*low) || number > i128::from(*high) {
                         let words = [
                             number.to_string().into(),
@@ -165,11 +206,11 @@ impl Builder<'_, '_> {
                         place.offset += (number - i128::from(*low)) as u32 * stride;
                     }
                 }
-                _ if blocks => {
+                None if blocks => {
                     self.tell(Code::StBlockSubscript, subscript.at, []);
                     right = false;
                 }
-                _ => indices.push(Index {
+                None => indices.push(Index {
                     subscript,
                     low: *low,
                     count,

@@ -108,3 +108,13 @@ pub struct Param {
     /// Its first cell, or of VAR_IN_OUT its number.
     pub offset: u32,
 }
+
+/// A turn of a loop, while its body is made.
+pub struct Turn {
+    pub variable: (Root, u32),
+    pub value: i128,
+    /// Whether the value has picked an instance.
+    pub picks: bool,
+    /// Whether it is known that it does.
+    pub is_written: bool,
+}

@@ -133,7 +133,17 @@ impl Builder<'_, '_> {
 
     /// The point that an address names in a maker's way; none where a program has no such point, which is not told.
     pub fn address_of(&mut self, written: &str, maker: Maker, at: Span) -> Option<Address> {
-        let key: String = written.to_uppercase().split_whitespace().collect();
+        let mut key: String = written.to_uppercase().split_whitespace().collect();
+        if let Some(moved) = self.moved.get_mut(&key) {
+            // The first time that it is named, it is told.
+            let (new, is_told) = moved;
+            let new = new.clone();
+            if !std::mem::replace(is_told, true) {
+                let words = [written.into(), new.as_str().into()];
+                self.tell(Code::StMoved, at, words);
+            }
+            key = new;
+        }
         let (address, written) = points::variable(&key, maker, self.board)?;
         let here = (Code::StSamePoint, at);
         self.spellings

@@ -12,7 +12,9 @@ pub type Labels = Vec<(Expr, Option<Expr>)>;
 impl Builder<'_, '_> {
     /// The target, if something can be stored in it; else that is told.
     pub(super) fn writable(&mut self, target: Target) -> Option<Target> {
-        if let Some(locked) = target.locked {
+        if let Some(locked) = target.locked
+            && !self.stores_in_input(&target)
+        {
             let written = self.written(target.at);
             let (what, help) = Builder::why_not_written(locked);
             self.tell(Code::StNotWritable, target.at, [written.into(), what, help]);

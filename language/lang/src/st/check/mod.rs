@@ -19,6 +19,7 @@ mod units;
 
 use super::ast::File;
 use crate::diagnostics::{Code, Found, Span, Word};
+use crate::moved::adapt_at;
 use crate::typed::build::{Builder, Letters};
 use crate::typed::{Tree, TypeId};
 use std::collections::HashMap;
@@ -47,6 +48,8 @@ struct Checker<'a, 't, 'f> {
     blocks: HashMap<String, usize>,
     /// Units with code for another machine by their names, and whether something uses them.
     foreign: HashMap<String, bool>,
+    /// Whether the text reads ENO of an instance.
+    reads_eno: bool,
     within: u32,
 }
 
@@ -60,6 +63,7 @@ impl<'a, 't, 'f> Checker<'a, 't, 'f> {
             units: Vec::new(),
             blocks: HashMap::new(),
             foreign: HashMap::new(),
+            reads_eno: false,
             within: 0,
         }
     }
@@ -72,7 +76,13 @@ pub(super) fn check(text: &str, file: &File, board: Board, found: &mut Found) ->
     let mut builder = Builder::new(text, Letters::Alike, board, found);
     builder.is_list = file.is_list;
     builder.is_wide = file.is_wide;
+    builder.keeps_inputs = !file.is_list;
+    if !board.has_firmware() {
+        let moved = adapt_at(text, &file.points, board).moved.into_iter();
+        builder.moved = moved.map(|(old, new)| (old, (new, false))).collect();
+    }
     let mut checker = Checker::new(builder, file);
+    checker.reads_eno = text.to_uppercase().contains(".ENO");
     checker.declare_all();
     checker.bodies();
     checker.unused_foreign();

@@ -3,8 +3,8 @@
 use super::super::ast::{Arm, Counting, Node, NodeKind, Path, Statement, StatementKind};
 use super::Checker;
 use crate::diagnostics::{Code, Span};
-use crate::typed::build::Named;
-use crate::typed::{Base, Kind, Stmt, StmtKind, UnitKind, Value};
+use crate::typed::build::{Named, Target, turns};
+use crate::typed::{Base, Kind, Root, Stmt, StmtKind, UnitKind, Value};
 use std::collections::BTreeMap;
 
 impl Checker<'_, '_, '_> {
@@ -63,10 +63,8 @@ impl Checker<'_, '_, '_> {
                 StmtKind::Repeat(body, self.condition(until))
             }
             StatementKind::For(counting) => {
-                let Some(kind) = self.counting(counting, at) else {
-                    return;
-                };
-                kind
+                self.counting(counting, at, all);
+                return;
             }
         };
         all.push(Stmt { kind, at });
@@ -84,27 +82,43 @@ impl Checker<'_, '_, '_> {
         let condition = en.map(|en| self.condition(en));
         let mut done = Vec::new();
         self.statement(inner, &mut done);
-        let target = eno.and_then(|path| self.target(path));
+        let mut targets: Vec<Target> = self.eno_of(inner).into_iter().collect();
+        targets.extend(eno.and_then(|path| self.target(path)));
         let mut tell = |truth: bool| {
-            let target = target.clone()?;
-            let at = target.at;
-            let value = self.builder.literal(Base::Bool, Value::truth(truth), at);
-            self.builder.assign(target, value, at)
+            let targets = targets.iter().cloned();
+            let told = targets.filter_map(|target| {
+                let at = target.at;
+                let value = self.builder.literal(Base::Bool, Value::truth(truth), at);
+                self.builder.assign(target, value, at)
+            });
+            told.collect::<Vec<Stmt>>()
         };
         let is_told = tell(true);
-        let otherwise = match is_told.is_some() && condition.is_some() {
+        let otherwise = match !is_told.is_empty() && condition.is_some() {
             true => tell(false),
-            false => None,
+            false => Vec::new(),
         };
         done.extend(is_told);
         match condition {
             Some(condition) => {
-                let otherwise = otherwise.into_iter().collect();
                 let kind = StmtKind::If(vec![(condition, done)], otherwise);
                 all.push(Stmt { kind, at });
             }
             None => all.append(&mut done),
         }
+    }
+
+    /// ENO of the instance that a statement calls, where the text reads one.
+    fn eno_of(&mut self, statement: &Statement) -> Option<Target> {
+        let StatementKind::Call(path, _) = &statement.kind else {
+            return None;
+        };
+        let is_variable = matches!(self.builder.find(&path.name.text), Some(Named::Variable(_)));
+        if !is_variable || !self.reads_eno {
+            return None;
+        }
+        let target = self.target(path)?;
+        self.builder.eno(&target)
     }
 
     fn condition(&mut self, node: &Node) -> crate::typed::Expr {
@@ -215,7 +229,7 @@ impl Checker<'_, '_, '_> {
         StmtKind::Case(selector, made, self.statements(otherwise))
     }
 
-    fn counting(&mut self, counting: &Counting, at: Span) -> Option<StmtKind> {
+    fn counting(&mut self, counting: &Counting, at: Span, all: &mut Vec<Stmt>) {
         let Counting {
             variable,
             from,
@@ -230,11 +244,40 @@ impl Checker<'_, '_, '_> {
         let counter = head
             .as_ref()
             .map(|head| (head.variable.root, head.variable.offset));
+        let turns = head.as_ref().map_or(Vec::new(), |head| turns(head));
         self.builder.begin_loop(counter);
-        let body = self.statements(body);
+        let (picks, mut bodies) = self.turns(counter, &turns, body);
         self.builder.end_loop(counter);
-        let mut head = head?;
-        head.body = body;
-        Some(StmtKind::For(head))
+        let Some(mut head) = head else {
+            return;
+        };
+        if picks {
+            return self.builder.unrolled(&head, &turns, bodies, at, all);
+        }
+        head.body = bodies.pop().unwrap_or_default();
+        let kind = StmtKind::For(head);
+        all.push(Stmt { kind, at });
+    }
+    /// The body of a loop; whether its turns pick instances of blocks, and then the body of each.
+    fn turns(
+        &mut self,
+        counter: Option<(Root, u32)>,
+        turns: &[i128],
+        body: &[Statement],
+    ) -> (bool, Vec<Vec<Stmt>>) {
+        let Some(counter) = counter.filter(|_| !turns.is_empty()) else {
+            return (false, vec![self.statements(body)]);
+        };
+        let made = |this: &mut Self, turn: i128, is_written: bool| {
+            this.builder.begin_turn(counter, turn, is_written);
+            let body = this.statements(body);
+            (this.builder.end_turn(), body)
+        };
+        let (picks, first) = made(self, turns.first().copied().unwrap_or(0), false);
+        if !picks || self.builder.found.has_errors() {
+            return (picks, vec![first]);
+        }
+        let turns = turns.iter();
+        (true, turns.map(|turn| made(self, *turn, true).1).collect())
     }
 }

@@ -187,6 +187,10 @@ impl Checker<'_, '_, '_> {
 
     /// Tells which units with code for another machine nothing uses.
     pub(super) fn unused_foreign(&mut self) {
+        // One that is used is told as the mistake, and those that it uses itself are used too.
+        if self.foreign.values().any(|is_used| *is_used) {
+            return;
+        }
         for unit in &self.file.foreign {
             let key = self.builder.key(&unit.text);
             if self.foreign.get(&key) == Some(&false) {

@@ -29,6 +29,7 @@ use super::lexer::tokens;
 use super::token::{Dialect, Kind, Token};
 use super::words::{Keyword, meant};
 use crate::diagnostics::{Code, Found, Span, Word};
+use std::collections::HashSet;
 use unoclp_text::near::nearest;
 
 /// Statements and parentheses nest no deeper.
@@ -70,6 +71,8 @@ struct Parser<'t, 'f> {
     declares_n: bool,
     /// A unit declares a parameter EN or ENO of its own.
     declares_en: bool,
+    /// The units above with code for another machine, in capitals.
+    foreign: HashSet<String>,
     /// How many parentheses and statements are open.
     open: u32,
     /// What ends the statements that are open.
@@ -114,11 +117,12 @@ impl<'t, 'f> Parser<'t, 'f> {
         };
         let keywords = tokens.iter().map(keyword).collect();
         let declares = |what: &str| {
-            tokens.windows(2).any(|two| {
-                let name = text.get(two[0].span.range()).unwrap_or_default();
-                let next = text.get(two[1].span.range()).unwrap_or_default();
-                let declares = matches!(two[1].kind, Kind::Colon | Kind::Comma);
-                name.eq_ignore_ascii_case(what) && (declares || next.eq_ignore_ascii_case("AT"))
+            tokens.windows(3).any(|three| {
+                let name = text.get(three[1].span.range()).unwrap_or_default();
+                let next = text.get(three[2].span.range()).unwrap_or_default();
+                let declares = matches!(three[2].kind, Kind::Colon | Kind::Comma);
+                let is_named = name.eq_ignore_ascii_case(what) && three[0].kind != Kind::Dot;
+                is_named && (declares || next.eq_ignore_ascii_case("AT"))
             })
         };
         let declares_n = declares("N");
@@ -134,6 +138,7 @@ impl<'t, 'f> Parser<'t, 'f> {
             list: dialect == Dialect::Il,
             declares_n,
             declares_en,
+            foreign: HashSet::new(),
             open: 0,
             closers: Vec::new(),
             dead,

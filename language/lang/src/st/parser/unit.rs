@@ -2,17 +2,19 @@
 
 use super::super::ast::{Body, File, Name, Section, SpecKind, TypeSpec, UnitDecl};
 use super::super::kinds::has_types;
-use super::super::token::Kind;
+use super::super::token::{Kind, Token};
 use super::super::words::{Keyword, meant};
 use super::{Parsed, Parser, Told};
 use crate::diagnostics::{Code, Span};
 use crate::typed::UnitKind;
+use std::ops::Range;
 
 impl Parser<'_, '_> {
     pub(super) fn file(&mut self) -> File {
         let mut file = File {
             is_list: self.list,
             is_wide: self.list && !has_types(self.text),
+            points: self.points(),
             ..File::default()
         };
         loop {
@@ -114,17 +116,34 @@ impl Parser<'_, '_> {
             _ => Keyword::EndFunctionBlock,
         };
         self.next();
-        match self.foreign_code(end) {
+        match self.foreign_code(kind, end) {
             Some(code) => self.foreign_unit(kind, code, end, file),
             None => self.unit_behind(kind, start, end, file),
         }
     }
 
-    /// Code for another machine before the end of this unit.
-    fn foreign_code(&self, end: Keyword) -> Option<Span> {
+    /// Where addresses stand.
+    fn points(&self) -> Vec<Range<usize>> {
+        let points = self.tokens.iter();
+        let points = points.filter(|token| token.kind == Kind::Address);
+        points.map(|token| token.span.range()).collect()
+    }
+
+    /// Code for another machine before the end of this unit, or what uses a unit above that has it.
+    fn foreign_code(&self, kind: UnitKind, end: Keyword) -> Option<Span> {
         let rest = self.tokens.iter().zip(&self.keywords).skip(self.at);
         let mut unit = rest.take_while(|(_, word)| **word != end && !word.begins_unit());
-        let found = unit.find(|(token, _)| token.kind == Kind::ForeignCode);
+        let may_use = !self.foreign.is_empty() && kind != UnitKind::Program;
+        let uses = |token: &Token| {
+            self.foreign
+                .contains(&self.slice(token.span).to_uppercase())
+        };
+        let is_foreign = |token: &Token| match token.kind {
+            Kind::ForeignCode => true,
+            Kind::Word => may_use && uses(token),
+            _ => false,
+        };
+        let found = unit.find(|(token, _)| is_foreign(token));
         found.map(|(token, _)| token.span)
     }
 
@@ -135,6 +154,7 @@ impl Parser<'_, '_> {
             self.tell(Code::StForeignCode, code, [name.text.as_str().into()]);
             self.wrong_declarations = true;
         }
+        self.foreign.insert(name.text.to_uppercase());
         file.foreign.push(name);
         while !self.is(Kind::End) && !self.keyword().begins_unit() {
             if self.accept_keyword(end) {
