@@ -79,7 +79,7 @@ pub(crate) fn read(
         TextLanguage::Scl => crate::st::check(text, crate::st::Dialect::Scl, board, found),
         TextLanguage::Iscl => crate::iscl::check(text, board, found),
         TextLanguage::Lce => crate::lce::check(text, board, found),
-        TextLanguage::Il => crate::st::check(text, crate::st::Dialect::Il, board, found),
+        TextLanguage::Il => crate::il::read(text, None, board, found).tree,
     };
     tree.filter(|_| !found.has_errors())
 }

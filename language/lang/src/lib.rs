@@ -62,10 +62,10 @@ mod words;
 
 pub use adapt::{Adapted, adapt, adapt_at, written_points};
 pub use back::{instructions_to_il, to_il};
-pub use code::{CompiledText, Held, Holding, Shows, Trace, Variable, compile_text, literal};
+pub use code::{CompiledText, Held, Holding, Shows, Trace, Variable, literal};
 pub use colour::Colour;
 pub use colours::{colours, colours_of_list};
-pub use compile::{Compiled, Options, compile, compile_untyped};
+pub use compile::{Compiled, Options, compile, compile_text};
 pub use condition::{Condition, Judge, condition, is_name};
 pub use declared::{Declared, DeclaredPoint, declared};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};
@@ -78,5 +78,4 @@ pub use literal::duration;
 pub use operators::is_operator;
 pub use points::{no_such_point, point};
 pub use show::show;
-pub use st::has_types;
 pub use to_st::to_st;

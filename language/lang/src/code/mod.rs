@@ -76,7 +76,6 @@ use crate::Dialect;
 use crate::comments::{self, Comments};
 use crate::diagnostics::{Found, Lines, Span, Told};
 use crate::emit::{self, CodeLine};
-use crate::languages::{self, TextLanguage};
 use crate::places::{Places, Units};
 use crate::typed::{Tree, UnitKind};
 use std::collections::HashSet;
@@ -120,13 +119,6 @@ impl CompiledText {
     }
 }
 
-/// Compiles a text for a board.
-pub fn compile_text(text: &str, language: TextLanguage, board: Board) -> CompiledText {
-    let mut found = Found::default();
-    let tree = languages::read(text, language, board, &mut found);
-    compile_tree(text, tree, Written::in_types(text), board, found)
-}
-
 /// What else is known of how a text is written.
 pub(crate) struct Written {
     /// Where its comments are.
@@ -147,7 +139,7 @@ pub(crate) struct List {
 }
 
 impl Written {
-    fn in_types(text: &str) -> Written {
+    pub(crate) fn in_types(text: &str) -> Written {
         Written {
             comments: comments::of_any(text),
             units: None,

@@ -5,7 +5,7 @@ use super::writer::{MARKERS, POINTS, REGISTERS, Writer};
 use crate::diagnostics::{Found, Severity, Told};
 use crate::run::Machine;
 use crate::typed::{Tree, Value};
-use crate::{Options, compile_untyped};
+use crate::{Options, compile};
 use unoclp_checked::Checked;
 use unoclp_core::{Board, Image, Inputs, Plc};
 use unoclp_testing::{Random, rounds};
@@ -67,7 +67,7 @@ fn compared(seed: u64) -> Result<(u16, u16), String> {
     }
     writer.above();
     let (text, tree) = writer.finish();
-    let older = compile_untyped(&text, &Options::on(LARGE));
+    let older = compile(&text, &Options::on(LARGE));
     let made = compiled_of("", &tree);
     let told = |told: &Told| {
         let errors = told.iter().filter(|d| d.severity() == Severity::Error);

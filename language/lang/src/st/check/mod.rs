@@ -2,7 +2,7 @@
 //!
 //! - `types`, `derived`: types as they are declared, and what a variable begins with
 //! - `units`: variables, and the order in which units are declared
-//! - `list`: what Instruction List does
+//! - `pieces`: what stands in Instruction List as in Structured Text
 //! - `condition`: an expression alone, over names that are given
 //! - `expressions`, `statements`: the rest
 //!
@@ -12,10 +12,12 @@ pub(super) mod condition;
 mod derived;
 mod expressions;
 mod initial;
-mod list;
+pub(crate) mod pieces;
 mod statements;
 mod types;
 mod units;
+
+pub(crate) use units::Of;
 
 use super::ast::File;
 use crate::diagnostics::{Code, Found, Span, Word};
@@ -23,6 +25,7 @@ use crate::typed::build::{Builder, Letters};
 use crate::typed::{Tree, TypeId};
 use std::collections::HashMap;
 use unoclp_core::Board;
+use unoclp_point::Maker;
 
 /// Types and blocks are made of others no deeper.
 const MOST_WITHIN: u32 = 40;
@@ -35,8 +38,8 @@ enum State {
     Done(Option<TypeId>),
 }
 
-struct Checker<'a, 't, 'f> {
-    builder: Builder<'t, 'f>,
+pub(crate) struct Checker<'a, 't, 'f> {
+    pub(crate) builder: Builder<'t, 'f>,
     file: &'a File,
     /// Types of the text by their names: which they are.
     types: HashMap<String, usize>,
@@ -48,6 +51,8 @@ struct Checker<'a, 't, 'f> {
     /// Units with code for another machine by their names, and whether something uses them.
     foreign: HashMap<String, bool>,
     within: u32,
+    /// Of a list: whose way of writing points it has.
+    maker: Option<Maker>,
 }
 
 impl<'a, 't, 'f> Checker<'a, 't, 'f> {
@@ -61,6 +66,7 @@ impl<'a, 't, 'f> Checker<'a, 't, 'f> {
             blocks: HashMap::new(),
             foreign: HashMap::new(),
             within: 0,
+            maker: None,
         }
     }
 }
@@ -69,9 +75,7 @@ pub(super) fn check(text: &str, file: &File, board: Board, found: &mut Found) ->
     if !is_program(text, file, found) {
         return None;
     }
-    let mut builder = Builder::new(text, Letters::Alike, board, found);
-    builder.is_list = file.is_list;
-    builder.is_wide = file.is_wide;
+    let builder = Builder::new(text, Letters::Alike, board, found);
     let mut checker = Checker::new(builder, file);
     checker.declare_all();
     checker.bodies();

@@ -61,7 +61,7 @@ mod symbols;
 mod words;
 
 pub(crate) use arguments::{Argument, Given};
-pub(crate) use builder::{Builder, Draft, MOST_CELLS};
+pub(crate) use builder::{Builder, MOST_CELLS};
 pub use functions::is_function;
 pub(crate) use named::{Letters, Named, Section, Traits};
 pub(crate) use places::Target;
