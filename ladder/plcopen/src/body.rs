@@ -9,9 +9,7 @@ use crate::types::{Types, kind};
 use crate::xml::first;
 use std::collections::{HashSet, VecDeque};
 use unoclp_core::Board;
-use unoclp_lang::{
-    Code, Options, Span, TextLanguage, Word, compile_text, compile_untyped, has_types,
-};
+use unoclp_lang::{Code, Options, Span, TextLanguage, Word, compile as compile_list, compile_text};
 
 /// Compiles a project, whose bodies are all in Instruction List, or in none of them.
 pub(crate) fn compile(
@@ -28,13 +26,11 @@ pub(crate) fn compile(
     }
     let text = &written.text;
     let (diagnostics, lines, program) = match language {
-        language if language == TextLanguage::Il && !has_types(text) => {
-            let options = Options {
-                dialect: None,
-                board,
-            };
-            let made = compile_untyped(text, &options);
+        language if language == TextLanguage::Il => {
+            let made = compile_list(text, &Options::on(board));
             let file = made.file();
+            imported.variables = made.variables;
+            imported.traces = written.traced(xml, made.traces);
             (made.diagnostics, file, made.program)
         }
         language => {

@@ -56,11 +56,15 @@ pub(crate) struct Var {
     pub section: Section,
     /// Whether it outlasts a power cut.
     pub retain: bool,
+    /// Whether nothing changes it.
+    pub constant: bool,
     pub name: Word,
     pub at: Option<Operand>,
     pub ty: Word,
     /// `TRUE`, or `(PT := T#5s)`.
     pub init: Vec<Init>,
+    /// The number of its declaration, where its type is none of bits, whole numbers of the board, or blocks.
+    pub typed: Option<usize>,
 }
 
 /// A first value, with the name of what it is for where it says so.
@@ -78,13 +82,18 @@ pub(crate) struct Operand {
 }
 
 /// See [`Operand`].
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub(crate) enum OperandKind {
     /// In upper case and without blanks, members and all: `%IX1`, `T1.Q`.
     Name(String),
-    /// A number, or a time in ms.
     Number(i32),
+    /// A time in ms.
+    Time(i32),
+    /// A REAL, by its bits.
+    Real(i32),
     Bool(bool),
+    /// What is written as in Structured Text, `a[i]`, `D#2026-11-23`, `n + 1`, by its number.
+    Piece(usize),
     /// Something was wrong, and has been told.
     Unknown,
 }
@@ -170,15 +179,17 @@ impl Operand {
 
     /// Whether something was wrong with it, which has been told.
     pub(crate) fn is_wrong(&self) -> bool {
-        self.kind == OperandKind::Unknown
+        matches!(self.kind, OperandKind::Unknown)
     }
 
     /// The number; none of a name.
     pub(crate) fn number(&self) -> Option<i32> {
         match self.kind {
-            OperandKind::Number(number) => Some(number),
+            OperandKind::Number(number) | OperandKind::Time(number) | OperandKind::Real(number) => {
+                Some(number)
+            }
             OperandKind::Bool(state) => Some(state.into()),
-            OperandKind::Name(_) | OperandKind::Unknown => None,
+            OperandKind::Name(_) | OperandKind::Piece(_) | OperandKind::Unknown => None,
         }
     }
 }

@@ -1,15 +1,16 @@
 //! The way of a text in Instruction List to a checked program.
 
-use crate::ast::{Stmt, Unit, UnitKind};
+use crate::ast::{Instr, Stmt, Unit, UnitKind};
 use crate::diagnostics::{Found, Severity, Told};
 use crate::dialect::Dialect;
-use crate::languages::{TextLanguage, compile_text};
+use crate::il;
+use crate::languages::{TextLanguage, read};
 use crate::operators::Op;
-use crate::st::has_types;
-use crate::{il, parser, whole};
 use std::sync::Arc;
 use unoclp_checked::{Checked, SourceMap};
-use unoclp_codegen::{CodeLine, List, Units, Written, compile_tree, file};
+use unoclp_codegen::{
+    CodeLine, CompiledText, List, Trace, Units, Variable, Written, compile_tree, file,
+};
 use unoclp_core::Board;
 use unoclp_core::isa::Opcode;
 
@@ -42,6 +43,10 @@ pub struct Compiled {
     /// The program, as the board's own loader has checked it, and where its steps stand in the text; none
     /// where there are errors.
     pub program: Option<(Checked, SourceMap)>,
+    /// Its variables, as the board keeps them; none where its points show all of them.
+    pub variables: Vec<Variable>,
+    /// What its lines show of a scan, likewise.
+    pub traces: Vec<Trace>,
     /// What was found in the text.
     pub diagnostics: Told,
 }
@@ -67,46 +72,17 @@ impl Compiled {
 
 /// Compiles a text. It takes a time in proportion to the text's size, whatever the text is.
 pub fn compile(text: &str, options: &Options) -> Compiled {
-    match has_types(text) {
-        true => of_types(text, options.board),
-        false => compile_untyped(text, options),
-    }
-}
-
-/// The same of a text that [has no types](has_types).
-pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
-    let mut found = Found::default();
-    let parsed = parser::parse(text, &mut found);
-    let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());
-    let readable = whole::is_readable(&mut found) && !parsed.wrong_declarations;
-    let board = options.board;
-    let tree = match readable {
-        true => il::tree(text, dialect, board, &parsed.units, &mut found),
-        false => None,
+    let (dialect, has_types, made) = list(text, options);
+    let (variables, traces) = match has_types {
+        true => (made.variables, made.traces),
+        false => Default::default(),
     };
-    let bodies = parsed.units.iter().flat_map(|unit| &unit.body);
-    let parts = parsed.units.iter().flat_map(|unit| &unit.body);
-    let parts = parts.filter_map(|stmt| match stmt {
-        Stmt::Instr(instr) if instr.op == Op::Part(Opcode::If) => Some(instr.span.start),
-        _ => None,
-    });
-    let parts = parts.collect();
-    let written = Written {
-        comments: parsed.comments,
-        units: Some(units(text, &parsed.units)),
-        instructions: bodies
-            .filter_map(|stmt| match stmt {
-                Stmt::Instr(instr) => Some(instr.whole.start),
-                _ => None,
-            })
-            .collect(),
-        list: Some(List { dialect, parts }),
-    };
-    let made = compile_tree(text, tree, written, board, found);
     Compiled {
         dialect,
         lines: made.lines,
         program: made.program,
+        variables,
+        traces,
         diagnostics: made.diagnostics,
     }
 }
@@ -123,13 +99,37 @@ fn units(text: &str, units: &[Unit]) -> Units {
     units
 }
 
-/// A text with types or functions of the norm, which the typed tree has.
-fn of_types(text: &str, board: Board) -> Compiled {
-    let made = compile_text(text, TextLanguage::Il, board);
-    Compiled {
-        dialect: Dialect::Iec,
-        lines: made.lines,
-        program: made.program,
-        diagnostics: made.diagnostics,
+/// The same, with its tree.
+fn list(text: &str, options: &Options) -> (Dialect, bool, CompiledText) {
+    let mut found = Found::default();
+    let listed = il::read(text, options.dialect, options.board, &mut found);
+    let (parsed, dialect) = (listed.parsed, listed.dialect);
+    let has_types = parsed.pieces.declares();
+    let bodies = || parsed.units.iter().flat_map(|unit| &unit.body);
+    let instructions = bodies().filter_map(|stmt| match stmt {
+        Stmt::Instr(instr) => Some(&**instr),
+        _ => None,
+    });
+    let is_part = |instr: &&Instr| instr.op == Op::Part(Opcode::If);
+    let parts = instructions.clone().filter(is_part);
+    let parts = parts.map(|instr| instr.span.start).collect();
+    let written = Written {
+        units: Some(units(text, &parsed.units)),
+        instructions: instructions.map(|instr| instr.whole.start).collect(),
+        // What computes with types is written for its bytes, and not to be drawn.
+        list: (!has_types).then_some(List { dialect, parts }),
+        comments: parsed.comments,
+    };
+    let made = compile_tree(text, listed.tree, written, options.board, found);
+    (dialect, has_types, made)
+}
+
+/// Compiles a text for a board.
+pub fn compile_text(text: &str, language: TextLanguage, board: Board) -> CompiledText {
+    if language == TextLanguage::Il {
+        return list(text, &Options::on(board)).2;
     }
+    let mut found = Found::default();
+    let tree = read(text, language, board, &mut found);
+    compile_tree(text, tree, Written::in_types(text), board, found)
 }

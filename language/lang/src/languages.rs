@@ -1,10 +1,9 @@
 //! The registry of typed languages, and the way of a text in one of them to its typed tree.
 
 use crate::diagnostics::{Found, Lang, Told};
-use crate::{colours, iscl, lce, st};
+use crate::{colours, il, iscl, lce, st};
 use std::fmt;
 use std::sync::RwLock;
-use unoclp_codegen::{CompiledText, Written, compile_tree};
 use unoclp_core::Board;
 use unoclp_tree::{FrontEnd, Painted, Tree};
 
@@ -69,7 +68,7 @@ impl TextLanguage {
         title: ["Instruction List", "Lista de Instruções"],
         begins: weighed,
         colours: colours::words_of_list,
-        tree: |text, board, found| st::check(text, st::Dialect::Il, board, found),
+        tree: |text, board, found| il::read(text, None, board, found).tree,
     });
 
     /// Those that unoclp brings.
@@ -162,14 +161,12 @@ pub fn check(text: &str, language: TextLanguage, board: Board) -> CheckedText {
 }
 
 /// The tree of a text; none where something is wrong, which is told.
-fn read(text: &str, language: TextLanguage, board: Board, found: &mut Found) -> Option<Tree> {
+pub(crate) fn read(
+    text: &str,
+    language: TextLanguage,
+    board: Board,
+    found: &mut Found,
+) -> Option<Tree> {
     let tree = (language.0.tree)(text, board, found);
     tree.filter(|_| !found.has_errors())
-}
-
-/// Compiles a text for a board.
-pub fn compile_text(text: &str, language: TextLanguage, board: Board) -> CompiledText {
-    let mut found = Found::default();
-    let tree = read(text, language, board, &mut found);
-    compile_tree(text, tree, Written::in_types(text), board, found)
 }

@@ -31,6 +31,10 @@ pub(crate) enum Kind {
     And,
     Minus,
     Plus,
+    /// `'text'`, `"text"`
+    Text,
+    /// A sign of Structured Text, which has a meaning within pieces of it: `[`, `..`, `<`.
+    Sign,
     /// The end of a line.
     NewLine,
     /// The end of the text.
@@ -157,6 +161,10 @@ impl Lexer<'_, '_> {
                 b':' => Kind::Colon,
                 b'=' if second == Some(b'>') => self.two(Kind::Arrow),
                 b'=' => Kind::Equals,
+                b'\'' | b'"' if self.quoted(first) => Kind::Text,
+                b'[' | b']' | b'<' | b'>' | b'*' | b'/' => Kind::Sign,
+                b'.' if second == Some(b'.') => self.two(Kind::Sign),
+                b'.' => Kind::Sign,
                 b'0'..=b'9' => self.number(),
                 // OMRON's #0050.
                 b'#' if second.is_some_and(|byte| byte.is_ascii_digit()) => {
@@ -202,7 +210,9 @@ impl Lexer<'_, '_> {
     /// Words that begin and end declarations.
     fn note_section(&mut self, start: usize) {
         let word = self.text.get(start..self.at).unwrap_or_default();
-        if word.eq_ignore_ascii_case("END_VAR") {
+        if word.eq_ignore_ascii_case("TYPE") && self.is_alone(start) {
+            self.declares = true;
+        } else if word.eq_ignore_ascii_case("END_VAR") || word.eq_ignore_ascii_case("END_TYPE") {
             self.declares = false;
         } else if SECTIONS
             .iter()
@@ -210,6 +220,14 @@ impl Lexer<'_, '_> {
         {
             self.declares = true;
         }
+    }
+
+    /// Whether the word that begins here begins its line, and no colon stands after it.
+    fn is_alone(&self, start: usize) -> bool {
+        let (before, behind) = self.text.split_at(start);
+        let before = before.trim_end_matches([' ', '\t']);
+        let word = behind.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+        (before.is_empty() || before.ends_with('\n')) && !word.trim_start().starts_with(':')
     }
 
     fn skip_line(&mut self) {
@@ -271,7 +289,8 @@ impl Lexer<'_, '_> {
             self.literal();
             return Kind::Literal;
         }
-        if self.bytes.get(self.at) == Some(&b'.') {
+        let [point, behind] = [self.at, self.at + 1].map(|at| self.bytes.get(at));
+        if point == Some(&b'.') && behind != Some(&b'.') {
             self.at += 1;
             self.digits();
         }
@@ -303,8 +322,23 @@ impl Lexer<'_, '_> {
         }
     }
 
+    /// A text up to the quote that closes it, where its line has that.
+    fn quoted(&mut self, quote: u8) -> bool {
+        let rest = self.bytes.get(self.at..).unwrap_or_default();
+        let mut rest = rest.iter().take_while(|byte| **byte != b'\n');
+        let length = rest.position(|byte| *byte == quote);
+        self.at += length.map_or(0, |length| length + 1);
+        length.is_some()
+    }
+
     /// What follows a `#`.
     fn literal(&mut self) {
+        if let Some(&quote @ (b'\'' | b'"')) = self.bytes.get(self.at) {
+            self.at += 1;
+            self.quoted(quote);
+            return;
+        }
+        let date = self.is_date();
         if self.bytes.get(self.at) == Some(&b'-') {
             self.at += 1;
         }
@@ -312,7 +346,7 @@ impl Lexer<'_, '_> {
             matches!(
                 lexer.bytes.get(lexer.at),
                 Some(b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' | b'_' | b'.')
-            )
+            ) || date && matches!(lexer.bytes.get(lexer.at), Some(b'-' | b':'))
         };
         while part(self) || self.is_typed_radix() {
             self.at += 1;
@@ -322,6 +356,17 @@ impl Lexer<'_, '_> {
                 self.decimal_comma();
             }
         }
+    }
+
+    /// Whether the `#` behind stands after the type of a date or a time of day.
+    fn is_date(&self) -> bool {
+        let before = self.text.get(..self.at.saturating_sub(1));
+        let word = before.and_then(|text| {
+            text.rsplit(|c: char| !(c.is_alphanumeric() || c == '_'))
+                .next()
+        });
+        let types = ["D", "DATE", "TOD", "TIME_OF_DAY", "DT", "DATE_AND_TIME"];
+        word.is_some_and(|word| types.iter().any(|ty| word.eq_ignore_ascii_case(ty)))
     }
 
     /// The second `#` of `UINT#16#F`.

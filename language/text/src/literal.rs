@@ -73,6 +73,11 @@ pub fn is_fraction(text: &str) -> bool {
     begins && number.contains(['.', 'e', 'E']) && decimal::is_decimal(&number)
 }
 
+/// Whether this is a REAL as Structured Text writes one, without a sign: `2.5`, `1.5E3`.
+pub fn is_decimal(text: &str) -> bool {
+    !text.contains(',') && is_fraction(text)
+}
+
 fn whole(digits: &str, radix: u32) -> Option<i32> {
     let digits: String = digits.chars().filter(|&c| c != '_').collect();
     let number = i64::from_str_radix(&digits, radix).ok()?;

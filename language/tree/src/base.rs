@@ -165,6 +165,12 @@ impl Base {
         matches!(self, Sint | Int | Dint | Lint | Time | AnyInt)
     }
 
+    /// A bit, or a whole number, a bit string or a time of at most 32 bits: what Instruction List computes with as DINT.
+    pub fn is_plain(self) -> bool {
+        let number = self.is_int() || self.is_bits() || self == Base::Time;
+        self == Base::Bool || number && self.bits() <= 32
+    }
+
     /// Whether the board has it.
     pub fn is_on_board(self) -> bool {
         !matches!(

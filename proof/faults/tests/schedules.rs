@@ -334,7 +334,7 @@ fn two_gateways_share_a_broker_and_a_database() {
         broker: taps[at].port,
         postgres: Some((server.port, "site".into())),
     });
-    let [east, mut west] = [0, 1].map(|at| Gateway::begin(at as u64, &places[at]));
+    let [mut east, west] = [0, 1].map(|at| Gateway::begin(at as u64, &places[at]));
     let mut least = [0; 2];
     for round in 0..3 {
         least = [east.commits(2), west.commits(2)];

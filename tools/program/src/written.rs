@@ -8,7 +8,7 @@ use unoclp_checked::{Checked, Diagnosis, SourceMap, numeric};
 use unoclp_core::{Board, Fault};
 use unoclp_lang::{
     Adapted, Colour, Dialect, Options, Span, TextLanguage, Told, adapt, colours, colours_of_list,
-    compile_text, compile_untyped, has_types,
+    compile, compile_text,
 };
 
 /// A program file. Its language is known, if it has one, and nothing else.
@@ -113,7 +113,6 @@ impl Written {
     fn way(&self) -> Result<Way, NoProgram> {
         Ok(match self.language? {
             WrittenIn::Numeric => Way::Numeric,
-            WrittenIn::Il if has_types(&decode(&self.bytes)) => Way::Typed(TextLanguage::Il),
             WrittenIn::Il => Way::List,
             WrittenIn::Typed(language) => Way::Typed(language),
             WrittenIn::Xml => Way::Xml,
@@ -273,7 +272,7 @@ impl Written {
     fn compiled(self, dialect: Option<Dialect>) -> Result<Source, Refused> {
         let text = decode(&self.bytes);
         let board = self.board;
-        let compiled = compile_untyped(&text, &Options { dialect, board });
+        let compiled = compile(&text, &Options { dialect, board });
         let code = compiled.file();
         let diagnostics = compiled.diagnostics;
         let (Some(code), Some((checked, map))) = (code, compiled.program) else {
@@ -293,8 +292,8 @@ impl Written {
             },
             size: Size::of(checked.program()),
             map,
-            variables: Vec::new(),
-            traces: Vec::new(),
+            variables: compiled.variables,
+            traces: compiled.traces,
             checked,
         })
     }

@@ -29,6 +29,7 @@ pub(super) fn name(op: Op) -> &'static str {
 impl Walk<'_, '_, '_> {
     pub(super) fn load(&mut self, instr: &Instr) {
         self.run.decided = None;
+        self.hint = None;
         self.warn_unused();
         self.run.unused = Some(instr.whole);
         let inverted = std::mem::take(&mut self.run.inverts) != instr.negated;
@@ -39,6 +40,10 @@ impl Walk<'_, '_, '_> {
             return;
         };
         self.only(instr, 1);
+        if let Some(whole) = self.whole_variable(operand) {
+            self.run.acc = Acc::Whole(whole);
+            return;
+        }
         let mut expr = self.value(operand);
         if inverted {
             expr = expr.map(|expr| self.inverted(expr, operand.span));
@@ -56,8 +61,8 @@ impl Walk<'_, '_, '_> {
 
     /// The opposite: of a number, each bit's.
     pub(super) fn opposite(&mut self, expr: Expr, span: Span) -> Expr {
-        if expr.base == Base::Bool {
-            return self.front.builder.not(expr, span);
+        if expr.base == Base::Bool || !self.is_plain(&expr) {
+            return self.front.c.builder.not(expr, span);
         }
         if let Some(number @ 0..=1) = constant(&expr) {
             return self.truth(number == 0, expr.at);
@@ -83,15 +88,24 @@ impl Walk<'_, '_, '_> {
             return self.open(instr, open);
         }
         let mut left = self.take(name(instr.op), instr.span);
+        self.hint = left.as_ref().map(|left| left.ty);
         let Some(operand) = instr.operands.first() else {
             return self.missing(name(instr.op), instr.span);
         };
-        let more = instr.op.takes_list() && !instr.negated;
+        let typed = left.as_ref().is_some_and(|left| !self.is_plain(left));
+        let more = instr.op.takes_list() && !instr.negated || typed;
+        // `LT 2, 3`: each less than the next.
+        if let (Some(left), Op::Compare(opcode), [_, _, ..]) = (&left, instr.op, &*instr.operands) {
+            return self.norm(operator(opcode), left.clone(), instr);
+        }
         self.only(instr, if more { usize::MAX } else { 1 });
         if operand.name() == Some(POP) && matches!(instr.op, Op::Number(_) | Op::Compare(_)) {
             self.only(instr, 1);
             let span = instr.whole;
-            let right = left.and_then(|right| self.as_number(right, ACCUMULATOR, span));
+            let right = left.and_then(|right| match self.is_plain(&right) {
+                true => self.as_number(right, ACCUMULATOR, span),
+                false => Some(right),
+            });
             let popped = self.popped_number(span);
             let made = self.both(popped, right, instr.op, false, span);
             return self.linked(made);
@@ -111,9 +125,16 @@ impl Walk<'_, '_, '_> {
             } else {
                 operand.span
             };
-            left = self.both(left, right, instr.op, instr.negated, span);
+            let made = self.both(left, right, instr.op, instr.negated, span);
+            self.linked(made);
+            left = match &self.run.acc {
+                Acc::Value(expr) => Some(expr.clone()),
+                _ => None,
+            };
         }
-        self.linked(left);
+        if typed {
+            self.run.unused = Some(instr.whole);
+        }
     }
 
     fn linked(&mut self, made: Option<Expr>) {
@@ -145,6 +166,9 @@ impl Walk<'_, '_, '_> {
             true => self.inverted(right, span),
             false => right,
         };
+        if !(op.is_real() || self.is_plain(&left) && self.is_plain(&right)) {
+            return self.of_types(op, left, right, span);
+        }
         let bits = left.base == Base::Bool || right.base == Base::Bool;
         let on_bits = match op {
             Op::Number(_) => false,
@@ -155,7 +179,7 @@ impl Walk<'_, '_, '_> {
             let left = self.as_bit(left, ACCUMULATOR, span);
             let right = self.as_bit(right, OPERAND, span);
             let (left, right) = (left?, right?);
-            let builder = &mut self.front.builder;
+            let builder = &mut self.front.c.builder;
             return Some(match op {
                 Op::And => builder.logic(Binary::And, left, right, span),
                 Op::Or => builder.logic(Binary::Or, left, right, span),

@@ -29,7 +29,7 @@ impl<'a> Walk<'_, 'a, '_> {
             return;
         };
         if instr.negated {
-            condition = self.front.builder.not(condition, instr.span);
+            condition = self.front.c.builder.not(condition, instr.span);
         }
         // What waits is put aside on both ways.
         self.before(&Changes::Anything, false);
@@ -71,7 +71,7 @@ impl<'a> Walk<'_, 'a, '_> {
         match operand.name() {
             Some(name)
                 if !self.front.names.knows(name, instance)
-                    && self.front.builder.find(name).is_none()
+                    && self.front.c.builder.find(name).is_none()
                     && !name.contains('%') =>
             {
                 self.not_callable(operand);
@@ -130,8 +130,8 @@ impl<'a> Walk<'_, 'a, '_> {
 
     /// Calls a block of the norm with these inputs.
     pub(super) fn run_block(&mut self, target: &Target, given: Vec<Argument>, span: Span) {
-        let body = self.front.builder.block(target.clone(), given, span);
-        let cells = self.front.builder.tree.types.get(target.ty).cells;
+        let body = self.front.c.builder.block(target.clone(), given, span);
+        let cells = self.front.c.builder.tree.types.get(target.ty).cells;
         self.before(&Changes::Cells(&target.place, cells), false);
         body.into_iter().for_each(|one| self.push(one));
     }
@@ -156,7 +156,7 @@ impl<'a> Walk<'_, 'a, '_> {
         }
         let bit = self.as_bit(expr, ACCUMULATOR, at)?;
         Some(match param.negated {
-            true => self.front.builder.not(bit, at),
+            true => self.front.c.builder.not(bit, at),
             false => bit,
         })
     }

@@ -124,7 +124,7 @@ impl Walk<'_, '_, '_> {
     /// The preset that a counter's declaration says.
     pub(super) fn preset_of_counter(&mut self, operand: &Operand) -> Option<i32> {
         let instance = Some(self.instance);
-        let found = &mut *self.front.builder.found;
+        let found = &mut *self.front.c.builder.found;
         match self.front.names.place(operand, instance, found) {
             Place::Counter(counter) => self.front.names.counters.get(counter)?.preset,
             _ => None,
@@ -133,7 +133,7 @@ impl Walk<'_, '_, '_> {
 
     pub(super) fn declared_count(&mut self, operand: &Operand, span: Span) -> Preset {
         let instance = Some(self.instance);
-        let found = &mut *self.front.builder.found;
+        let found = &mut *self.front.c.builder.found;
         match self.front.names.place(operand, instance, found) {
             Place::Counter(counter) => {
                 let counter = &self.front.names.counters[counter];
@@ -146,7 +146,7 @@ impl Walk<'_, '_, '_> {
 
     fn kind_of(&mut self, operand: &Operand) -> Option<Opcode> {
         let instance = Some(self.instance);
-        let found = &mut *self.front.builder.found;
+        let found = &mut *self.front.c.builder.found;
         match self.front.names.place(operand, instance, found) {
             Place::Counter(counter) => self.front.names.counters.get(counter)?.kind,
             _ => None,
@@ -156,7 +156,7 @@ impl Walk<'_, '_, '_> {
     /// Which way a counter counts, from here on.
     pub(super) fn note_kind(&mut self, operand: &Operand, kind: Opcode) {
         let instance = Some(self.instance);
-        let found = &mut *self.front.builder.found;
+        let found = &mut *self.front.c.builder.found;
         if let Place::Counter(counter) = self.front.names.place(operand, instance, found)
             && let Some(counter) = self.front.names.counters.get_mut(counter)
         {

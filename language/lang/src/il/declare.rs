@@ -6,9 +6,11 @@ use super::used::parts;
 use crate::ast::{Operand, Section as Part, Stmt, Unit, UnitKind as Kind, Var};
 use crate::diagnostics::{Code, Span};
 use crate::list::declare_edge;
-use crate::names::declare::is_new;
+use crate::names::declare::{is_new, plain_block};
 use crate::names::{Instance, Place};
 use crate::operators::Op;
+use crate::st::Of;
+use crate::st::pieces::Declared;
 use crate::tree::{Bit, Num};
 use crate::typed::build::{Named, Section, Traits};
 use crate::typed::{Base, Kind as Type, Root, Standard, TypeId, UnitKind};
@@ -30,13 +32,13 @@ impl Front<'_, '_> {
                 Kind::Function => UnitKind::Function,
                 Kind::FunctionBlock => UnitKind::Block,
             };
-            let number = self.builder.unit(&name, kind, at);
+            let number = self.c.builder.unit(&name, kind, at);
             self.numbers.push(number);
         }
         for (index, unit) in self.units.iter().enumerate() {
             for var in unit.vars.iter().filter(|var| var.section == Part::Global) {
                 let key = var.name.text.trim_start_matches('%');
-                if self.builder.find(key).is_none() {
+                if self.c.builder.find(key).is_none() {
                     self.variable(var, index);
                 }
             }
@@ -45,7 +47,7 @@ impl Front<'_, '_> {
         for (index, unit) in self.units.iter().enumerate() {
             for var in unit.vars.iter().filter(|var| var.section == Part::External) {
                 let key = var.name.text.trim_start_matches('%');
-                if self.builder.find(key).is_none() {
+                if self.c.builder.find(key).is_none() {
                     self.variable(var, index);
                 }
             }
@@ -53,7 +55,51 @@ impl Front<'_, '_> {
         for index in 0..self.units.len() {
             self.unit(index);
         }
+        self.c.make_types();
         self.undeclared_blocks();
+    }
+
+    /// Variables of a type that Structured Text knows, all of one declaration.
+    fn typed_variable(&mut self, var: &Var, declared: &Declared) {
+        let is_first = declared
+            .names()
+            .next()
+            .is_some_and(|(_, at)| at == var.name.span);
+        if !is_first
+            || declared
+                .names()
+                .any(|(name, _)| self.c.builder.is_taken(name))
+        {
+            return;
+        }
+        self.blocks_of(&declared.types(), 0);
+        let before = self.c.builder.inside();
+        if matches!(var.section, Part::Global | Part::External) {
+            self.c.builder.leave();
+        }
+        let of = Of {
+            section: section(var.section),
+            constant: var.constant,
+            retain: var.retain,
+        };
+        self.c.declare_piece(declared, &of);
+        self.c.builder.go(before);
+    }
+
+    /// Declares the blocks of the text among these types, and in them.
+    fn blocks_of(&mut self, types: &[&str], deep: usize) {
+        if deep > MOST_WITHIN {
+            return;
+        }
+        for name in types {
+            if let Some(index) = self.block_named(&name.to_uppercase()) {
+                self.within += 1;
+                self.unit(index);
+                self.within -= 1;
+            }
+            let made_of = self.pieces.types.made_of(name);
+            self.blocks_of(&made_of, deep + 1);
+        }
     }
 
     /// The declarations as `names` has them, which tells what is wrong with them.
@@ -97,7 +143,7 @@ impl Front<'_, '_> {
                 self.names.instances.truncate(next + 1);
             } else {
                 let Unit { vars, kind, .. } = &self.units[unit];
-                let found = &mut *self.builder.found;
+                let found = &mut *self.c.builder.found;
                 self.names.declare(vars, *kind, next, found);
                 self.result(unit, next);
             }
@@ -113,7 +159,7 @@ impl Front<'_, '_> {
             return;
         };
         let ty = unit.result.as_ref().map_or("BOOL", |ty| ty.text.as_str());
-        let found = &mut *self.builder.found;
+        let found = &mut *self.c.builder.found;
         self.names.result(instance, name, ty, found);
     }
 
@@ -147,14 +193,24 @@ impl Front<'_, '_> {
         }
         let unit = &self.units[index];
         let number = self.numbers[index];
-        let before = self.builder.inside();
-        self.builder.enter(number);
+        let before = self.c.builder.inside();
+        self.c.builder.enter(number);
         if let (Kind::Function, Some(name)) = (unit.kind, &unit.name) {
             let result = unit.result.as_ref().map(|ty| ty.text.as_str());
-            let base = result.and_then(Base::named).unwrap_or(Base::Dint);
-            let base = if result.is_none() { Base::Bool } else { base };
-            self.builder.result(TypeId::of(base), name.span);
-            self.builder.gives();
+            let base = result.map_or(Some(Base::Bool), Base::named);
+            let ty = match (base, &unit.result) {
+                (Some(base), _) => Some(TypeId::of(base)),
+                (None, Some(ty)) => {
+                    let written = self.names.written(ty.span);
+                    self.c.type_by_name(&written, ty.span)
+                }
+                (None, None) => None,
+            };
+            match ty {
+                Some(ty) => self.c.builder.result(ty, name.span),
+                None => self.c.builder.hide(&name.text),
+            }
+            self.c.builder.gives();
         }
         let own = |var: &&Var| !matches!(var.section, Part::Global | Part::External);
         for var in unit.vars.iter().filter(own) {
@@ -163,8 +219,8 @@ impl Front<'_, '_> {
         if unit.kind != Kind::Function {
             self.edges(index);
         }
-        self.builder.close(number);
-        self.builder.go(before);
+        self.c.builder.close(number);
+        self.c.builder.go(before);
     }
 
     /// What `names` makes of a variable.
@@ -176,6 +232,9 @@ impl Front<'_, '_> {
     }
 
     fn variable(&mut self, var: &Var, unit: usize) {
+        if let Some(declared) = var.typed.and_then(|number| self.pieces.declared(number)) {
+            return self.typed_variable(var, declared);
+        }
         let written = self.names.written(var.name.span);
         let name = written.trim_start_matches('%').to_owned();
         let meaning = self.meaning(var, unit);
@@ -200,17 +259,17 @@ impl Front<'_, '_> {
             None => base.map(TypeId::of).or_else(|| self.block(var, unit)),
         };
         let Some(ty) = ty else {
-            if !self.builder.found.has_errors() {
+            if !self.c.builder.found.has_errors() {
                 let words = [name.as_str().into(), "".into()];
                 self.tell(Code::StUnsupported, var.ty.span, words);
             }
-            return self.builder.hide(&name);
+            return self.c.builder.hide(&name);
         };
-        let is_block = !self.builder.tree.types.is_scalar(ty);
+        let is_block = !self.c.builder.tree.types.is_scalar(ty);
         let is_new = is_new(var, self.units[unit].kind);
         if is_block && is_new {
             // It has been told.
-            return self.builder.hide(&name);
+            return self.c.builder.hide(&name);
         }
         let initial = self.initial(var, ty, point);
         // Another program may have left what is kept by itself 1.
@@ -219,40 +278,37 @@ impl Front<'_, '_> {
         let traits = Traits {
             initial,
             retain: var.retain,
+            constant: var.constant
+                && point.is_none()
+                && base.is_some()
+                && !self.names.is_stored(&var.name.text),
             point,
             ..Traits::default()
         };
-        let section = match var.section {
-            Part::Local => Section::Var,
-            Part::Temp => Section::Temp,
-            Part::Input => Section::Input,
-            Part::Output => Section::Output,
-            Part::InOut => Section::InOut,
-            Part::Global | Part::External => Section::Global,
-        };
+        let section = section(var.section);
         // Timers and counters by the board's names, and addresses, mean the same in the whole text.
         let shared = read(&var.name.text, self.names.dialect.maker()).is_some();
-        let before = self.builder.inside();
-        if shared && self.builder.find(&name).is_none() || section == Section::Global {
-            self.builder.leave();
+        let before = self.c.builder.inside();
+        if shared && self.c.builder.find(&name).is_none() || section == Section::Global {
+            self.c.builder.leave();
         }
-        let taken = self.builder.is_taken(&name);
+        let taken = self.c.builder.is_taken(&name);
         let at = var.name.span;
         let made = match taken {
             true => None,
-            false => self.builder.declare(&name, at, ty, section, traits),
+            false => self.c.builder.declare(&name, at, ty, section, traits),
         };
         match made {
             Some(made) if made.root == Root::Static => {
                 self.pin(&name, ty, made.offset);
                 if is_begun {
-                    self.builder.tree.begun.push(made.offset);
+                    self.c.builder.tree.begun.push(made.offset);
                 }
             }
             Some(_) => {}
-            None => self.builder.hide(&name),
+            None => self.c.builder.hide(&name),
         }
-        self.builder.go(before);
+        self.c.builder.go(before);
     }
 
     /// A timer or counter of the board by another name.
@@ -260,7 +316,7 @@ impl Front<'_, '_> {
         let written = at.name().unwrap_or_default();
         let (key, _) = parts(written, self.names.dialect);
         self.aliases.insert(name.to_uppercase(), key.to_string());
-        if self.builder.find(&key).is_some() {
+        if self.c.builder.find(&key).is_some() {
             return;
         }
         let Some(block) = self.standard(&var.ty.text, &key) else {
@@ -272,22 +328,23 @@ impl Front<'_, '_> {
             retain: var.retain,
             ..Traits::default()
         };
-        let before = self.builder.inside();
-        self.builder.leave();
+        let before = self.c.builder.inside();
+        self.c.builder.leave();
         let span = var.name.span;
         let made = self
+            .c
             .builder
             .declare(&key, span, ty, Section::Global, traits);
         if let Some(made) = made {
-            self.builder.show_as(name);
+            self.c.builder.show_as(name);
             self.pin(&key, ty, made.offset);
         }
-        self.builder.go(before);
+        self.c.builder.go(before);
     }
 
     /// A counter with the name of one of the board's is that one.
     fn pin(&mut self, name: &str, ty: TypeId, offset: u32) {
-        let Type::Standard(block) = *self.builder.tree.types.kind(ty) else {
+        let Type::Standard(block) = *self.c.builder.tree.types.kind(ty) else {
             return;
         };
         let own = name.strip_prefix(['C', 'c']);
@@ -295,7 +352,7 @@ impl Front<'_, '_> {
         let board = self.names.board;
         let own = own.filter(|n| (1..=board.counters).contains(n));
         if let (Some(own), Some(number)) = (own, block.number()) {
-            let points = &mut self.builder.tree.points;
+            let points = &mut self.c.builder.tree.points;
             points.push((offset + number, Address::Count(own)));
         }
     }
@@ -313,18 +370,19 @@ impl Front<'_, '_> {
         self.within += 1;
         self.unit(index);
         self.within -= 1;
-        let draft = self.builder.draft(self.numbers[index])?;
+        let draft = self.c.builder.draft(self.numbers[index])?;
         draft.closed.then_some(draft.block)
     }
 
     pub(super) fn type_of(&mut self, standard: Standard) -> TypeId {
-        let types = &mut self.builder.tree.types;
+        let types = &mut self.c.builder.tree.types;
         types.add_kind(Type::Standard(standard), standard.cells())
     }
 
     /// The block of the norm that a timer or counter of this type and name is, by what the text does with it.
     pub(super) fn standard(&self, ty: &str, name: &str) -> Option<Standard> {
         let uses = self.used.get(name);
+        let ty = plain_block(ty);
         Some(match ty {
             "TON" | "TOF" | "TP" | "TONR" | "TOR" => match (uses.timer, ty) {
                 (Some(Opcode::OnDelay), _) => Standard::Ton,
@@ -342,7 +400,7 @@ impl Front<'_, '_> {
     }
 
     fn is_own_block(&self, name: &str) -> bool {
-        matches!(self.builder.find(name), Some(Named::Type(_)))
+        matches!(self.c.builder.find(name), Some(Named::Type(_)))
     }
 
     /// Timers and counters that the text names and declares nowhere.
@@ -354,7 +412,7 @@ impl Front<'_, '_> {
                 Some(Point::Counter) => "CTU",
                 _ => continue,
             };
-            if self.builder.find(&name).is_some() {
+            if self.c.builder.find(&name).is_some() {
                 continue;
             }
             let Some(standard) = self.standard(ty, &name) else {
@@ -367,7 +425,10 @@ impl Front<'_, '_> {
                 traits.initial = first::preset(standard, preset);
             }
             let at = at.empty();
-            let made = self.builder.declare(&name, at, ty, Section::Global, traits);
+            let made = self
+                .c
+                .builder
+                .declare(&name, at, ty, Section::Global, traits);
             if let Some(made) = made {
                 self.pin(&name, ty, made.offset);
             }
@@ -383,9 +444,23 @@ impl Front<'_, '_> {
                 Op::Edge(edge) | Op::Differentiate(edge) => Some(edge),
                 _ => instr.edge,
             };
-            if let Some(edge) = edge {
-                declare_edge(&mut self.builder, edge, instr.span);
+            if let Some(edge) = edge
+                && !declare_edge(&mut self.c.builder, edge, instr.span)
+            {
+                return;
             }
         }
+    }
+}
+
+/// The same of the tree.
+fn section(of: Part) -> Section {
+    match of {
+        Part::Local => Section::Var,
+        Part::Temp => Section::Temp,
+        Part::Input => Section::Input,
+        Part::Output => Section::Output,
+        Part::InOut => Section::InOut,
+        Part::Global | Part::External => Section::Global,
     }
 }

@@ -19,7 +19,7 @@ impl Front<'_, '_> {
         if point.is_some_and(|point| !point.is_written()) {
             return None;
         }
-        match self.builder.tree.types.kind(ty) {
+        match self.c.builder.tree.types.kind(ty) {
             Kind::Standard(block) => {
                 let declared = var.init.last().and_then(|init| init.value.number());
                 let key = var.name.text.trim_start_matches('%');
@@ -27,13 +27,13 @@ impl Front<'_, '_> {
                 preset(*block, declared.or_else(used)?)
             }
             Kind::Block(unit) => {
-                let draft = self.builder.draft(*unit)?;
+                let draft = self.c.builder.draft(*unit)?;
                 let member = |init: &Init| {
                     let name = init.name.as_ref()?;
                     let Some(Named::Variable(variable)) = draft.names.get(&name.text) else {
                         return None;
                     };
-                    let base = self.builder.tree.types.base(variable.ty)?;
+                    let base = self.c.builder.tree.types.base(variable.ty)?;
                     let value = scalar(base, init.value.number()?)?;
                     Some((variable.offset, variable.ty, Arc::new(value)))
                 };
@@ -41,7 +41,7 @@ impl Front<'_, '_> {
                 (!members.is_empty()).then(|| Arc::new(Initial::Members(members)))
             }
             _ => {
-                let base = self.builder.tree.types.base(ty)?;
+                let base = self.c.builder.tree.types.base(ty)?;
                 let number = kept(narrow_type(&var.ty.text), var.init.last()?.value.number()?);
                 scalar(base, number).map(Arc::new)
             }

@@ -4,7 +4,8 @@ use super::used::Used;
 use crate::ast::{Unit, UnitKind};
 use crate::diagnostics::{Code, Span, Word};
 use crate::names::Names;
-use crate::typed::build::Builder;
+use crate::st::Checker;
+use crate::st::pieces::Pieces;
 use std::collections::{HashMap, HashSet};
 
 /// Blocks stand in one another no deeper.
@@ -14,7 +15,11 @@ pub(super) const MOST_WITHIN: usize = 16;
 pub(super) struct Front<'a, 'f> {
     pub units: &'a [Unit],
     pub names: Names<'a>,
-    pub builder: Builder<'a, 'f>,
+    /// What Structured Text makes of types and of the pieces of the text that are written as in it.
+    pub c: Checker<'a, 'a, 'f>,
+    pub pieces: &'a Pieces,
+    /// Whether the text declares something of a type that `names` does not know.
+    pub has_types: bool,
     pub used: Used,
     /// Of each unit: its number in the tree, and the instance whose names `names` has for it.
     pub numbers: Vec<u32>,
@@ -41,7 +46,7 @@ pub(super) struct Front<'a, 'f> {
 
 impl Front<'_, '_> {
     pub(super) fn tell<const N: usize>(&mut self, code: Code, at: Span, words: [Word; N]) {
-        self.builder.found.tell(code, at, words);
+        self.c.builder.found.tell(code, at, words);
     }
 
     pub(super) fn kind_of(&self, unit: usize) -> UnitKind {
@@ -78,18 +83,18 @@ impl Front<'_, '_> {
 
     /// What is read of a timer that nothing starts, and inputs that nothing reads.
     pub(super) fn never_used(&mut self) {
-        if !self.builder.found.has_errors() {
+        if !self.c.builder.found.has_errors() {
             for timer in &self.names.timers {
                 if let (None, Some(span)) = (&timer.called, timer.read) {
                     let name = timer.name.as_str().into();
-                    self.builder.found.tell(Code::NeverCalled, span, [name]);
+                    self.c.builder.found.tell(Code::NeverCalled, span, [name]);
                 }
             }
         }
         for declared in &self.names.inputs {
             if self.names.inputs_read >> (declared.input - 1) & 1 == 0 {
                 let name = declared.name.as_str().into();
-                let found = &mut *self.builder.found;
+                let found = &mut *self.c.builder.found;
                 found.tell(Code::NeverRead, declared.span, [name]);
             }
         }

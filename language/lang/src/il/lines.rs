@@ -13,19 +13,20 @@ impl<'a> Front<'a, '_> {
         let number = self.numbers[unit];
         let body = &self.units[unit].body;
         let writes = self.writes;
-        self.builder.enter(number);
+        self.c.builder.enter(number);
         let mut walk = Walk {
             unit,
             instance: self.instances[unit],
             body,
             run: Run::new(),
             block: None,
+            hint: None,
             front: self,
         };
         walk.run_lines();
         let made = walk.finish();
-        self.builder.body(number, made);
-        self.builder.leave();
+        self.c.builder.body(number, made);
+        self.c.builder.leave();
         if !self.called[unit] {
             self.writes = writes;
         }

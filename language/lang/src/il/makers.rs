@@ -31,7 +31,7 @@ impl Walk<'_, '_, '_> {
             return;
         };
         if instr.negated {
-            bit = self.front.builder.not(bit, instr.whole);
+            bit = self.front.c.builder.not(bit, instr.whole);
         }
         self.start_block(block, bit, preset, instr.whole);
     }

@@ -5,6 +5,7 @@
 //! - `used`: what the text does with its timers and counters, wherever they are declared
 //! - `declare`: units and variables; `first`: what they begin with
 //! - `operands`: what an operand means and what it is worth; `said`: words of messages
+//! - `typed`: values of other types than bits and whole numbers; `norm`: the functions of the norm
 //! - `front`: what is known of the whole text; `walk`: what is held on the way through a body; `lines`: what each line does
 //! - `bits`, `numbers`, `stores`, `defer`, `stack`: what works on it
 //! - `circles`: calls without end; `calls`, `units`, `timers`, `counters`: what is called
@@ -25,6 +26,7 @@ mod front;
 mod latches;
 mod lines;
 mod makers;
+mod norm;
 mod numbers;
 mod operands;
 mod push;
@@ -32,14 +34,16 @@ mod said;
 mod stack;
 mod stores;
 mod timers;
+mod typed;
 mod units;
 mod used;
 mod walk;
 
 use crate::Dialect;
-use crate::ast::Unit;
 use crate::diagnostics::Found;
 use crate::names::Names;
+use crate::parser::{self, Parsed};
+use crate::st::Checker;
 use crate::typed::Tree;
 use crate::typed::build::{Builder, Letters};
 use crate::whole;
@@ -48,14 +52,44 @@ use std::collections::{HashMap, HashSet};
 use unoclp_core::Board;
 use used::Used;
 
-/// The tree of a text; none where something is wrong, which is told.
-pub(crate) fn tree(
+/// What has been read of a text.
+pub(crate) struct Listed {
+    /// What it means; none where something is wrong, which is told.
+    pub tree: Option<Tree>,
+    pub parsed: Parsed,
+    /// Whose Instruction List it is.
+    pub dialect: Dialect,
+}
+
+/// Reads a text in this maker's Instruction List, or in that which its words look like.
+pub(crate) fn read(
+    text: &str,
+    dialect: Option<Dialect>,
+    board: Board,
+    found: &mut Found,
+) -> Listed {
+    let parsed = parser::parse(text, found);
+    let dialect = dialect.unwrap_or_else(|| parsed.signs.dialect());
+    let readable = whole::is_readable(found) && !parsed.wrong_declarations;
+    let tree = match readable {
+        true => tree(text, dialect, board, &parsed, found),
+        false => None,
+    };
+    Listed {
+        tree,
+        parsed,
+        dialect,
+    }
+}
+
+fn tree(
     text: &str,
     dialect: Dialect,
     board: Board,
-    units: &[Unit],
+    parsed: &Parsed,
     found: &mut Found,
 ) -> Option<Tree> {
+    let units = parsed.units.as_slice();
     let mut builder = Builder::new(text, Letters::Alike, board, found);
     builder.is_list = true;
     builder.is_wide = true;
@@ -64,7 +98,9 @@ pub(crate) fn tree(
     let mut front = Front {
         units,
         names: Names::new(text, dialect, board, units),
-        builder,
+        c: Checker::of_list(builder, &parsed.pieces.types, dialect.maker()),
+        pieces: &parsed.pieces,
+        has_types: parsed.pieces.declares(),
         used: Used::of(units, dialect),
         numbers: Vec::new(),
         instances: Vec::new(),
@@ -86,9 +122,9 @@ pub(crate) fn tree(
     }
     front.timers_again();
     front.never_used();
-    whole::check(text, units, front.writes, front.builder.found);
-    if is_endless || front.builder.found.has_errors() {
+    whole::check(text, units, front.writes, front.c.builder.found);
+    if is_endless || front.c.builder.found.has_errors() {
         return None;
     }
-    front.builder.finish()
+    front.c.builder.finish()
 }

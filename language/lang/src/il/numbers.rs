@@ -1,7 +1,7 @@
 //! Numbers: 32 bits with a sign, whatever is done with them.
 
 use super::bits::name;
-use super::said::ACCUMULATOR;
+use super::said::{ACCUMULATOR, constant};
 use super::walk::Walk;
 use crate::ast::Instr;
 use crate::diagnostics::Span;
@@ -27,7 +27,11 @@ impl Walk<'_, '_, '_> {
             Op::Number(opcode) | Op::Compare(opcode) => opcode,
             _ => return None,
         };
-        let compare = |compare| Some((compare, Base::Dint));
+        let base = match is_unsigned(&left, &right) {
+            true => Base::Udint,
+            false => Base::Dint,
+        };
+        let compare = |compare| Some((compare, base));
         let compare = match opcode {
             Opcode::Greater => compare(Compare::Greater),
             Opcode::GreaterOrEqual => compare(Compare::GreaterEqual),
@@ -41,14 +45,14 @@ impl Walk<'_, '_, '_> {
         };
         if let Some((compare, base)) = compare {
             let (left, right) = (self.taken_for(left, base), self.taken_for(right, base));
-            return Some(self.front.builder.compare(compare, left, right, span));
+            return Some(self.front.c.builder.compare(compare, left, right, span));
         }
         let (op, base) = match opcode {
             Opcode::Add => (Binary::Add, Base::Dint),
             Opcode::Subtract => (Binary::Subtract, Base::Dint),
             Opcode::Multiply => (Binary::Multiply, Base::Dint),
-            Opcode::Divide => (Binary::Divide, Base::Dint),
-            Opcode::Modulo => (Binary::Modulo, Base::Dint),
+            Opcode::Divide => (Binary::Divide, base),
+            Opcode::Modulo => (Binary::Modulo, base),
             Opcode::UnsignedDivide => (Binary::Divide, Base::Udint),
             Opcode::UnsignedModulo => (Binary::Modulo, Base::Udint),
             Opcode::RealAdd => (Binary::Add, Base::Real),
@@ -60,6 +64,7 @@ impl Walk<'_, '_, '_> {
                 return None;
             }
         };
+        let typed = !(self.is_plain(&left) && self.is_plain(&right));
         let (left, right) = (self.taken_for(left, base), self.taken_for(right, base));
         let made = Expr {
             kind: ExprKind::Binary(op, Box::new(left), Box::new(right)),
@@ -67,7 +72,10 @@ impl Walk<'_, '_, '_> {
             ty: TypeId::of(base),
             at: span,
         };
-        Some(self.bits_as_number(made))
+        Some(match typed {
+            true => made,
+            false => self.bits_as_number(made),
+        })
     }
 
     /// The 32 bits of a number as those of another type.
@@ -75,15 +83,20 @@ impl Walk<'_, '_, '_> {
         if base == number.base {
             return number;
         }
+        if base == Base::Real && !self.is_plain(&number) {
+            return self.front.c.builder.coerce(number, TypeId::of(base));
+        }
         let at = number.at;
         let (how, kind) = match (base, number.kind) {
             (Base::Real, ExprKind::Constant(value)) => {
                 let real = f32::from_bits((value.int() as i32).cast_unsigned());
                 let value = Value::Real(real.into());
-                return self.front.builder.literal(Base::Real, value, at);
+                return self.front.c.builder.literal(Base::Real, value, at);
             }
             // What has just been taken for a number.
-            (_, ExprKind::Convert(Convert::Bits | Convert::Keep, of)) if of.base == base => {
+            (_, ExprKind::Convert(Convert::Bits | Convert::Keep | Convert::Wrap, of))
+                if of.base == base =>
+            {
                 return *of;
             }
             (Base::Real, kind) => (Convert::Raw, kind),
@@ -127,6 +140,13 @@ impl Walk<'_, '_, '_> {
         let Some(expr) = self.take(operator(opcode), instr.span) else {
             return;
         };
+        let expr = match (opcode, expr.base) {
+            (Opcode::RealComparable, Base::Real) => self.bits_as_number(expr),
+            _ => expr,
+        };
+        if !self.is_plain(&expr) {
+            return self.typed_unary(operator(opcode), expr, instr);
+        }
         let Some(number) = self.as_number(expr, ACCUMULATOR, instr.span) else {
             return;
         };
@@ -157,6 +177,9 @@ impl Walk<'_, '_, '_> {
 
     pub(super) fn shift(&mut self, instr: &Instr, opcode: Opcode) {
         let expr = self.take(name(instr.op), instr.span);
+        if let Some(bits) = expr.as_ref().filter(|expr| self.shifts_bits(expr, instr)) {
+            return self.norm(name(instr.op), bits.clone(), instr);
+        }
         let number = expr.and_then(|expr| self.as_number(expr, ACCUMULATOR, instr.span));
         if instr.operands.is_empty() {
             return self.missing(name(instr.op), instr.span);
@@ -199,8 +222,19 @@ impl Walk<'_, '_, '_> {
 
     /// A number in the bits of a type, as a DINT again.
     pub(super) fn cut(&mut self, number: Expr, base: Base) -> Expr {
-        let builder = &mut self.front.builder;
+        let builder = &mut self.front.c.builder;
         let cut = builder.converted(number, Convert::Wrap, TypeId::of(base));
         self.wide(cut)
     }
+}
+
+/// Whether two numbers are compared and divided without a sign: those of which one is a UDINT or DWORD, and the other is none
+/// that may be negative.
+fn is_unsigned(left: &Expr, right: &Expr) -> bool {
+    let unsigned = |expr: &Expr| match &expr.kind {
+        ExprKind::Convert(Convert::Wrap, of) => matches!(of.base, Base::Udint | Base::Dword),
+        _ => false,
+    };
+    let fits = |expr: &Expr| unsigned(expr) || constant(expr).is_some_and(|number| number >= 0);
+    (unsigned(left) || unsigned(right)) && fits(left) && fits(right)
 }

@@ -32,6 +32,12 @@ impl Walk<'_, '_, '_> {
     pub(super) fn meaning(&mut self, operand: &Operand) -> Is {
         let span = operand.span;
         let name = match &operand.kind {
+            OperandKind::Piece(number) => {
+                let piece = self.front.pieces.value(*number);
+                return piece.map_or(Is::Wrong, |piece| self.piece(piece));
+            }
+            OperandKind::Real(bits) => return Is::Constant(self.real(*bits, span)),
+            OperandKind::Time(ms) => return Is::Constant(self.time(*ms, span)),
             OperandKind::Number(number) => return Is::Constant(self.whole(*number, span)),
             OperandKind::Bool(state) => return Is::Constant(self.truth(*state, span)),
             OperandKind::Unknown => return Is::Wrong,
@@ -43,16 +49,20 @@ impl Walk<'_, '_, '_> {
         if let Some(is) = self.lent(name, span) {
             return is;
         }
+        if let Some(is) = self.of_type(name, span) {
+            return is;
+        }
         let instance = Some(self.instance);
         let place = self
             .front
             .names
-            .place(operand, instance, self.front.builder.found);
-        if self.front.builder.is_hidden(name) {
+            .place(operand, instance, self.front.c.builder.found);
+        if self.front.c.builder.is_hidden(name) {
             return Is::Wrong;
         }
         match place {
             Place::Unknown => Is::Wrong,
+            Place::Typed if self.front.c.builder.find(name).is_none() => Is::Wrong,
             Place::Always(state) => Is::Constant(self.truth(state, span)),
             Place::Number(Num::Const(number)) => Is::Constant(self.whole(number, span)),
             Place::Bit(Bit::At(Address::AtZero(_))) => {
@@ -61,7 +71,7 @@ impl Walk<'_, '_, '_> {
             _ => match (self.declared(name, span), place) {
                 (Some(is), _) => is,
                 (None, Place::Bit(Bit::At(point)) | Place::Number(Num::At(point))) => {
-                    let target = self.front.builder.point_target(point, span);
+                    let target = self.front.c.builder.point_target(point, span);
                     let base = if point.is_bit() {
                         Base::Bool
                     } else {
@@ -92,7 +102,7 @@ impl Walk<'_, '_, '_> {
     /// Whether this counter's Q says that it is 0.
     pub(super) fn counts_down(&mut self, operand: &Operand) -> bool {
         let instance = Some(self.instance);
-        let found = &mut *self.front.builder.found;
+        let found = &mut *self.front.c.builder.found;
         match self.front.names.place(operand, instance, found) {
             Place::Counter(counter) => {
                 let counter = self.front.names.counters.get(counter);
@@ -105,7 +115,7 @@ impl Walk<'_, '_, '_> {
     /// What the caller lends.
     fn lent(&mut self, name: &str, span: Span) -> Option<Is> {
         let (first, _) = name.split_once('.').unwrap_or((name, ""));
-        let Some(Named::Variable(variable)) = self.front.builder.find(first) else {
+        let Some(Named::Variable(variable)) = self.front.c.builder.find(first) else {
             return None;
         };
         match variable.root {
@@ -139,11 +149,11 @@ impl Walk<'_, '_, '_> {
     }
 
     fn variable(&mut self, name: &str, member: Option<&str>, span: Span) -> Option<Is> {
-        let Some(Named::Variable(_)) = self.front.builder.find(name) else {
+        let Some(Named::Variable(_)) = self.front.c.builder.find(name) else {
             return None;
         };
-        let target = self.front.builder.name(name, span)?;
-        let kind = self.front.builder.tree.types.kind(target.ty).clone();
+        let target = self.front.c.builder.name(name, span)?;
+        let kind = self.front.c.builder.tree.types.kind(target.ty).clone();
         Some(match (kind, member) {
             (Kind::Standard(block), None) => Is::Block(target, block),
             (Kind::Standard(block), Some(member)) => {
@@ -151,14 +161,14 @@ impl Walk<'_, '_, '_> {
             }
             (Kind::Block(_), None) => Is::Instance(target),
             (Kind::Block(unit), Some(member)) => {
-                let draft = self.front.builder.draft(unit)?;
+                let draft = self.front.c.builder.draft(unit)?;
                 let Some(Named::Variable(variable)) = draft.names.get(member) else {
                     return None;
                 };
                 let (offset, ty) = (variable.offset, variable.ty);
                 let mut made = Target { ty, ..target };
                 made.place.offset += offset;
-                match self.front.builder.tree.types.kind(ty).clone() {
+                match self.front.c.builder.tree.types.kind(ty).clone() {
                     Kind::Standard(block) => Is::Block(made, block),
                     Kind::Block(_) => Is::Instance(made),
                     _ => Is::Variable(made),
@@ -212,6 +222,10 @@ impl Walk<'_, '_, '_> {
                 let q = self.part_of(block, standard, q)?;
                 Some(self.read(q, span))
             }
+            Is::Variable(target) if !self.front.c.builder.tree.types.is_scalar(target.ty) => {
+                self.front.c.builder.read(Some(target), span);
+                None
+            }
             Is::Variable(target) => {
                 if self.is_write_only(operand, &target) {
                     let name = self.spelled(operand);
@@ -256,9 +270,9 @@ impl Walk<'_, '_, '_> {
         let of_block = preset
             && operand.name().is_some_and(|name| {
                 let (block, _) = parts(name, self.front.names.dialect);
-                match self.front.builder.find(&block) {
+                match self.front.c.builder.find(&block) {
                     Some(Named::Variable(variable)) => {
-                        let kind = self.front.builder.tree.types.kind(variable.ty);
+                        let kind = self.front.c.builder.tree.types.kind(variable.ty);
                         matches!(kind, Kind::Standard(_))
                     }
                     _ => false,
@@ -272,7 +286,7 @@ impl Walk<'_, '_, '_> {
         if target.place.root != Root::Static || !target.place.indices.is_empty() {
             return None;
         }
-        let mut points = self.front.builder.tree.points.iter();
+        let mut points = self.front.c.builder.tree.points.iter();
         let held = points.find(|(cell, _)| *cell == target.place.offset);
         held.map(|(_, point)| *point)
     }
@@ -289,7 +303,7 @@ impl Walk<'_, '_, '_> {
     /// A timer is read here, in whole or in part.
     pub(super) fn reads_timer(&mut self, operand: &Operand) {
         let instance = Some(self.instance);
-        let found = &mut *self.front.builder.found;
+        let found = &mut *self.front.c.builder.found;
         let timer = match self.front.names.place(operand, instance, found) {
             Place::Timer(timer) => timer,
             Place::Bit(Bit::Timer(timer))
@@ -303,30 +317,36 @@ impl Walk<'_, '_, '_> {
 
     /// What a variable holds: a bit, or a number of 32 bits.
     pub(super) fn read(&mut self, target: Target, span: Span) -> Expr {
-        let expr = self.front.builder.read(Some(target), span);
+        let expr = self.front.c.builder.read(Some(target), span);
         self.wide(expr)
     }
 
     /// A number as a DINT.
     pub(super) fn wide(&mut self, expr: Expr) -> Expr {
+        if self.is_enum(expr.ty) {
+            return expr;
+        }
         let how = match expr.base {
             Base::Bool | Base::Dint => return expr,
+            Base::AnyInt => return self.settled(expr),
+            base if !base.is_plain() => return expr,
             base if base.bits() < 32 || base == Base::Time => Convert::Keep,
             _ => Convert::Wrap,
         };
         self.front
+            .c
             .builder
             .converted(expr, how, TypeId::of(Base::Dint))
     }
 
     pub(super) fn whole(&mut self, number: i32, span: Span) -> Expr {
         let value = Value::Int(number.into());
-        self.front.builder.literal(Base::Dint, value, span)
+        self.front.c.builder.literal(Base::Dint, value, span)
     }
 
     pub(super) fn truth(&mut self, state: bool, span: Span) -> Expr {
         let value = Value::truth(state);
-        self.front.builder.literal(Base::Bool, value, span)
+        self.front.c.builder.literal(Base::Bool, value, span)
     }
 
     pub(super) fn spelled(&self, operand: &Operand) -> String {
@@ -344,6 +364,10 @@ impl Walk<'_, '_, '_> {
         }
         match constant(&expr) {
             Some(number @ 0..=1) => Some(self.truth(number == 1, expr.at)),
+            _ if expr.base == Base::AnyReal => {
+                self.not_into(expr, TypeId::BOOL);
+                None
+            }
             _ => {
                 self.wrong_type(what.into(), span, NUMBER, BOOL);
                 None
@@ -361,6 +385,9 @@ impl Walk<'_, '_, '_> {
             self.wrong_type(what.into(), span, BOOL, NUMBER);
             return None;
         }
-        Some(expr)
+        if self.is_plain(&expr) {
+            return Some(expr);
+        }
+        self.bits_of_real(expr)
     }
 }

@@ -17,7 +17,10 @@ impl Walk<'_, '_, '_> {
     /// PUSH
     pub(super) fn push_line(&mut self, instr: &Instr) {
         let expr = self.take("PUSH", instr.span);
-        let number = expr.and_then(|expr| self.as_number(expr, ACCUMULATOR, instr.span));
+        let number = expr.and_then(|expr| match self.is_plain(&expr) {
+            true => self.as_number(expr, ACCUMULATOR, instr.span),
+            false => Some(expr),
+        });
         if let Some(number) = number {
             self.push_number(number, instr.whole);
         }
@@ -44,7 +47,7 @@ impl Walk<'_, '_, '_> {
         };
         self.only(instr, 2);
         let instance = Some(self.instance);
-        let found = &mut *self.front.builder.found;
+        let found = &mut *self.front.c.builder.found;
         let register = match self.front.names.place(first, instance, found) {
             Place::Number(Num::At(Address::Register(register))) => Some(register),
             Place::Unknown => return None,
@@ -70,7 +73,7 @@ impl Front<'_, '_> {
                 }
             }
         }
-        self.builder.rows(&tables);
+        self.c.builder.rows(&tables);
     }
 
     fn register(&self, operand: &Operand, unit: usize) -> Option<u8> {

@@ -14,7 +14,7 @@ pub(super) const OPERAND: Words = ("the operand", "o operando");
 /// The number that stands in the text.
 pub(super) fn constant(expr: &Expr) -> Option<i32> {
     match &expr.kind {
-        ExprKind::Constant(value) if expr.base != Base::Bool => Some(value.int() as i32),
+        ExprKind::Constant(value) if expr.base == Base::Dint => Some(value.int() as i32),
         _ => None,
     }
 }

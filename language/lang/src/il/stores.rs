@@ -15,6 +15,9 @@ use unoclp_point::Address;
 
 impl Walk<'_, '_, '_> {
     pub(super) fn store(&mut self, instr: &Instr) {
+        if let Acc::Whole(from) = self.run.acc.clone() {
+            return self.copy(instr, from);
+        }
         let expr = self.take("ST", instr.span);
         if instr.operands.is_empty() {
             return self.missing("ST", instr.span);
@@ -45,7 +48,7 @@ impl Walk<'_, '_, '_> {
             return;
         };
         let is_bit = self.is_bit(&target);
-        let stays = !negated && target.place.indices.is_empty();
+        let stays = !negated && target.place.indices.is_empty() && self.stays(&target, &expr);
         let again = needed && stays && !is_leaf(&expr) && (is_bit == (expr.base == Base::Bool));
         if needed && !again {
             self.settle_costly();
@@ -88,7 +91,7 @@ impl Walk<'_, '_, '_> {
 
     /// Whether a bit is stored there.
     fn is_bit(&self, target: &Target) -> bool {
-        self.front.builder.tree.types.base(target.ty) == Some(Base::Bool)
+        self.front.c.builder.tree.types.base(target.ty) == Some(Base::Bool)
     }
 
     /// Stores a value that is not the accumulator: what a block gives.
@@ -146,11 +149,11 @@ impl Walk<'_, '_, '_> {
     fn is_output(&self, operand: &Operand) -> bool {
         let name = operand.name().unwrap_or_default();
         let (block, part) = parts(name, self.front.names.dialect);
-        let Some(Named::Variable(variable)) = self.front.builder.find(&block) else {
+        let Some(Named::Variable(variable)) = self.front.c.builder.find(&block) else {
             return false;
         };
         let is_output = matches!(part, Some("Q" | "QU" | "QD" | "D" | "ET"));
-        let kind = self.front.builder.tree.types.kind(variable.ty);
+        let kind = self.front.c.builder.tree.types.kind(variable.ty);
         is_output
             && matches!(kind, Kind::Standard(block) if block.part("PT").is_some() || block.part("PV").is_some())
     }
@@ -182,6 +185,9 @@ impl Walk<'_, '_, '_> {
         negated: bool,
         span: Span,
     ) -> Option<Stmt> {
+        if !self.is_plain(&expr) || !self.is_plain_type(target.ty) {
+            return self.typed_stored(expr, target, operand, negated, span);
+        }
         if self.is_bit(target) {
             if expr.base != Base::Bool && !matches!(constant(&expr), Some(0..=1)) {
                 self.wrong_type(ACCUMULATOR.into(), operand.span, NUMBER, BOOL);
@@ -189,7 +195,7 @@ impl Walk<'_, '_, '_> {
             }
             let mut bit = self.as_bit(expr, ACCUMULATOR, span)?;
             if negated {
-                bit = self.front.builder.not(bit, span);
+                bit = self.front.c.builder.not(bit, span);
             }
             return self.assigned(target, bit, span);
         }
@@ -202,7 +208,7 @@ impl Walk<'_, '_, '_> {
         let width = self.front.names.width(operand, instance);
         if let (Some(base), Some(constant), false) = (width, constant(&number), negated) {
             let name = self.spelled(operand);
-            let found = &mut *self.front.builder.found;
+            let found = &mut *self.front.c.builder.found;
             let to = (base, name.as_str());
             let kept = self.front.names.cut(to, constant, operand.span, found);
             number = self.whole(kept, operand.span);
@@ -231,7 +237,7 @@ impl Walk<'_, '_, '_> {
             32 => Convert::Keep,
             _ => Convert::Wrap,
         };
-        self.front.builder.converted(value, how, ty)
+        self.front.c.builder.converted(value, how, ty)
     }
 
     pub(super) fn set_or_reset(&mut self, instr: &Instr) {
@@ -319,7 +325,7 @@ impl Walk<'_, '_, '_> {
                 Some(Address::Output(_)) => Address::Output(number),
                 _ => Address::Marker(number),
             };
-            targets.push(self.front.builder.point_target(more, span));
+            targets.push(self.front.c.builder.point_target(more, span));
         }
         let mut body = Vec::new();
         for target in targets {
@@ -362,18 +368,18 @@ impl Walk<'_, '_, '_> {
 
     /// What is done to a timer or counter beside its call.
     pub(super) fn order(&mut self, target: &Target, order: Order, at: Span) -> Option<Stmt> {
-        self.front.builder.order(target.clone(), order, at)
+        self.front.c.builder.order(target.clone(), order, at)
     }
 
     /// A store in a preset, or in what a counter has counted, which the board does by instructions of their own.
     fn order_for(&mut self, operand: &Operand, value: &Expr) -> Option<(Target, Order)> {
         let name = operand.name()?;
         let (block, part) = parts(name, self.front.names.dialect);
-        let Some(Named::Variable(_)) = self.front.builder.find(&block) else {
+        let Some(Named::Variable(_)) = self.front.c.builder.find(&block) else {
             return None;
         };
-        let target = self.front.builder.name(&block, operand.span)?;
-        let Kind::Standard(standard) = *self.front.builder.tree.types.kind(target.ty) else {
+        let target = self.front.c.builder.name(&block, operand.span)?;
+        let Kind::Standard(standard) = *self.front.c.builder.tree.types.kind(target.ty) else {
             return None;
         };
         let value = value.clone();

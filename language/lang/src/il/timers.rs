@@ -82,7 +82,7 @@ impl Walk<'_, '_, '_> {
     /// The timer of an operand, as `names` has it.
     fn timer_of(&mut self, operand: &Operand) -> Option<usize> {
         let instance = Some(self.instance);
-        let found = &mut *self.front.builder.found;
+        let found = &mut *self.front.c.builder.found;
         match self.front.names.place(operand, instance, found) {
             Place::Timer(timer) => Some(timer),
             _ => None,
@@ -195,7 +195,7 @@ impl Walk<'_, '_, '_> {
         let first = &mut self.front.timers[self.unit];
         first.get_or_insert_with(|| name.clone());
         if !self.front.timed.insert((unit, target.place.offset)) {
-            return self.tell(Code::TimerTwice, span, [name.into()]);
+            self.tell(Code::TimerTwice, span, [name.into()]);
         }
         let mut all: Vec<_> = input.map(|input| named("IN", input)).into_iter().collect();
         if let Preset::Given(preset) = preset {

@@ -3,6 +3,7 @@
 use super::calls::positional;
 use super::operands::Is;
 use super::said::{BOOL, NUMBER};
+use super::typed::natural;
 use super::walk::Walk;
 use crate::ast::{Instr, Param, Section, Unit, Var};
 use crate::diagnostics::{Code, Span};
@@ -21,7 +22,7 @@ impl<'a> Walk<'_, 'a, '_> {
     /// Whether a function as an operator takes the accumulator as its first input: where one operand is lacking.
     pub(super) fn takes_accumulator(&self, instr: &Instr) -> bool {
         let Some(unit) = self.function_of(instr) else {
-            return false;
+            return instr.params.is_empty();
         };
         let inputs: Vec<&Var> = unit.vars.iter().filter(|var| is_input(var)).collect();
         let copied = inputs
@@ -39,7 +40,9 @@ impl<'a> Walk<'_, 'a, '_> {
     pub(super) fn function(&mut self, instr: &Instr) {
         let name = instr.function.as_ref();
         let unit = name.and_then(|name| self.front.functions.get(name));
-        let Some(&unit) = unit else { return };
+        let Some(&unit) = unit else {
+            return self.norm_operator(instr);
+        };
         let mut params = instr.params.clone();
         params.extend(instr.operands.iter().map(positional));
         if !self.takes_accumulator(instr) {
@@ -86,7 +89,7 @@ impl<'a> Walk<'_, 'a, '_> {
             self.front.writes = true;
             self.before_call(&given);
         }
-        let expr = self.front.builder.call(number, given, name, span);
+        let expr = self.front.c.builder.call(number, given, name, span);
         // What it may change is changed here, and once.
         if !self.needed() {
             if let ExprKind::Call(call) = expr.kind {
@@ -110,7 +113,7 @@ impl<'a> Walk<'_, 'a, '_> {
         let vars = units[unit].vars.iter();
         let left =
             vars.filter(|var| var.section == Section::Input && !given.contains(&var.name.text));
-        let left: Vec<&Var> = left.collect();
+        let left: Vec<&Var> = left.filter(|var| var.typed.is_none()).collect();
         let mut all = Vec::new();
         for var in left {
             let number = var.init.last().and_then(|init| init.value.number());
@@ -137,7 +140,7 @@ impl<'a> Walk<'_, 'a, '_> {
 
     /// A call of an instance of a function block.
     pub(super) fn call_instance(&mut self, target: Target, params: &[Param], span: Span) {
-        let Kind::Block(number) = *self.front.builder.tree.types.kind(target.ty) else {
+        let Kind::Block(number) = *self.front.c.builder.tree.types.kind(target.ty) else {
             return;
         };
         let Some(unit) = self.front.numbers.iter().position(|one| *one == number) else {
@@ -150,13 +153,13 @@ impl<'a> Walk<'_, 'a, '_> {
             return;
         };
         self.before_call(&given);
-        let body = self.front.builder.block(target.clone(), given, span);
+        let body = self.front.c.builder.block(target.clone(), given, span);
         body.into_iter().for_each(|one| self.push(one));
         back.into_iter().for_each(|one| self.push(one));
         let (name, _) = self.front.unit_name(unit);
         for param in params.iter().filter(|param| param.out) {
             let output = param.name.as_ref().map_or("", |name| name.text.as_str());
-            let draft = self.front.builder.draft(number);
+            let draft = self.front.c.builder.draft(number);
             let Some(Named::Variable(variable)) = draft.and_then(|draft| draft.names.get(output))
             else {
                 self.no_parameter(&name, param, ("see its VAR_OUTPUT", "veja seu VAR_OUTPUT"));
@@ -217,6 +220,10 @@ impl<'a> Walk<'_, 'a, '_> {
                 continue;
             };
             names.insert(var.name.text.clone());
+            if var.typed.is_some() {
+                right &= self.give_typed(var, param, &mut given);
+                continue;
+            }
             if var.section == Section::InOut {
                 right &= self.lend(var, param, &mut given, &mut back);
                 continue;
@@ -248,6 +255,7 @@ impl<'a> Walk<'_, 'a, '_> {
     fn give(&mut self, var: &Var, expr: Expr, span: Span, given: &mut Vec<Argument>) -> bool {
         let base = Base::named(&var.ty.text);
         let value = match base {
+            _ if var.typed.is_some() => Some(natural(expr)),
             Some(Base::Bool) => self.as_bit(expr, "VAR_INPUT", span),
             Some(base) => {
                 let number = self.as_number(expr, "VAR_INPUT", span);
@@ -307,7 +315,7 @@ impl<'a> Walk<'_, 'a, '_> {
                 return false;
             }
             Is::Variable(target) => {
-                let base = self.front.builder.tree.types.base(target.ty);
+                let base = self.front.c.builder.tree.types.base(target.ty);
                 let own = Base::named(&var.ty.text);
                 match (base == Some(Base::Bool), wants_bit) {
                     (true, false) => {

@@ -5,10 +5,12 @@ use super::said::{ACCUMULATOR, BOOL, NUMBER, constant};
 use super::stack::more_inputs;
 use crate::ast::{Instr, Operand, Stmt};
 use crate::diagnostics::{Code, Span, Word};
-use crate::list::{Acc, Changes, Defers, Does, Machine, Run, Says, Waiting};
+use crate::list::{Acc, Changes, Does, Machine, Run, Says, Waiting};
 use crate::operators::Op;
 use crate::typed::build::{Builder, Target};
-use crate::typed::{Base, Compare, Expr, ExprKind, Standard, Stmt as Made, StmtKind, Store};
+use crate::typed::{
+    Base, Compare, Expr, ExprKind, Standard, Stmt as Made, StmtKind, Store, TypeId,
+};
 use std::borrow::Cow;
 
 /// A block whose inputs are being connected.
@@ -33,6 +35,8 @@ pub(super) struct Walk<'w, 'a, 'f> {
     pub instance: usize,
     pub run: Run,
     pub block: Option<Block>,
+    /// The type of what an operand is to meet: the values of an enumeration are looked for there first.
+    pub hint: Option<TypeId>,
 }
 
 impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
@@ -45,15 +49,15 @@ impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
     }
 
     fn builder(&mut self) -> &mut Builder<'a, 'f> {
-        &mut self.front.builder
+        &mut self.front.c.builder
     }
 
     fn built(&self) -> &Builder<'a, 'f> {
-        &self.front.builder
+        &self.front.c.builder
     }
 
     fn tell<const N: usize>(&mut self, code: Code, at: Span, words: [Word; N]) {
-        self.front.builder.found.tell(code, at, words);
+        self.front.c.builder.found.tell(code, at, words);
     }
 
     /// A number is true if it is not 0.
@@ -61,13 +65,23 @@ impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
         if expr.base == Base::Bool || matches!(constant(&expr), Some(0..=1)) {
             return self.as_bit(expr, ACCUMULATOR, span);
         }
+        if expr.base == Base::AnyReal {
+            return self.as_bit(expr, ACCUMULATOR, span);
+        }
+        if !self.is_plain(&expr) {
+            let expr = self.front.c.builder.condition(expr);
+            return (!matches!(expr.kind, ExprKind::Wrong)).then_some(expr);
+        }
         let none = self.whole(0, span);
-        let builder = &mut self.front.builder;
+        let builder = &mut self.front.c.builder;
         Some(builder.compare(Compare::NotEqual, expr, none, span))
     }
 
     fn carries(&mut self, mut expr: Expr, to: Option<&Target>, span: Span) -> Option<Expr> {
-        let base = to.and_then(|to| self.front.builder.tree.types.base(to.ty));
+        let base = to.and_then(|to| self.front.c.builder.tree.types.base(to.ty));
+        if !self.is_plain(&expr) {
+            return Some(self.front.c.builder.settled(expr));
+        }
         if base == Some(Base::Bool)
             && let Some(number @ 0..=1) = constant(&expr)
         {
@@ -85,7 +99,10 @@ impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
 
     /// The statement that stores a value, in the bits of the place's type.
     fn assigned(&mut self, target: &Target, value: Expr, at: Span) -> Option<Made> {
-        let base = self.front.builder.tree.types.base(target.ty)?;
+        if !self.is_plain_type(target.ty) || !self.is_plain(&value) {
+            return self.typed_assigned(target, value, at);
+        }
+        let base = self.front.c.builder.tree.types.base(target.ty)?;
         let value = self.fit(value, target.ty, base);
         if matches!(value.kind, ExprKind::Wrong) {
             return None;
@@ -113,7 +130,7 @@ impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
         match &self.body[at] {
             Stmt::Label(word) => Says::Label(word.text.as_str().into(), word.span),
             Stmt::Close(span) => Says::Close(*span),
-            Stmt::Wrong { open } => Says::Wrong(Some(*open)),
+            Stmt::Wrong { open } => Says::Wrong(*open),
             Stmt::Instr(instr) => Says::Does(Does {
                 op: Some(instr.op),
                 conditional: instr.conditional,
@@ -148,10 +165,6 @@ impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
         if let Some(Stmt::Instr(instr)) = body.get(at) {
             self.instr(instr);
         }
-    }
-
-    fn close_line(&mut self, span: Span) {
-        self.close(span);
     }
 
     fn before_own(&mut self, changes: &Changes) {

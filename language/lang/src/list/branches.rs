@@ -52,7 +52,14 @@ pub(crate) trait Branches<'t, 'f>: Machine<'t, 'f> {
 
     /// Where a body ends.
     fn end_of_branches(&mut self) {
-        for (_, span) in std::mem::take(&mut self.run_mut().kept) {
+        let kept = std::mem::take(&mut self.run_mut().kept);
+        // That they are too many has been told.
+        let kept = if kept.len() > MOST_FRAMES {
+            Vec::new()
+        } else {
+            kept
+        };
+        for (_, span) in kept {
             let why = (
                 "write MPP, or LPP, before the last branch",
                 "escreva MPP, ou LPP, antes da última ramificação",

@@ -62,6 +62,7 @@ pub(crate) trait Defers<'t, 'f>: Machine<'t, 'f> {
         run.frames.push(Frame {
             acc: left.map_or(Acc::Wrong, Acc::Value),
             waiting,
+            operator: opens.operator,
             span: opens.at,
             links,
         });
@@ -91,16 +92,13 @@ pub(crate) trait Defers<'t, 'f>: Machine<'t, 'f> {
         // Results that an LD has pushed within the parentheses are lost.
         while run.popped().is_some() {}
         let Some(frame) = run.frames.pop() else {
-            if !run.forgives {
-                self.tell(Code::CloseWithoutOpen, span, []);
-            }
-            return;
+            return self.tell(Code::CloseWithoutOpen, span, []);
         };
         run.inverts = false;
         let right = self.take(")", span);
         let made = match (frame.acc, right) {
             (Acc::Value(left), Some(right)) => {
-                self.joined(frame.waiting, left, right, [frame.span, span])
+                self.joined(frame.waiting, left, right, [frame.operator, span])
             }
             _ => None,
         };

@@ -27,14 +27,13 @@ pub(crate) trait Lines<'t, 'f>: Machine<'t, 'f> {
                     let key = key.into_owned();
                     self.label(&key, span);
                 }
-                Says::Close(span) => self.close_line(span),
+                Says::Close(span) => self.close(span),
                 Says::Wrong(open) => {
                     let run = self.run_mut();
                     run.unused = None;
                     run.unreachable = false;
                     run.acc = Acc::Wrong;
-                    run.lost += open.unwrap_or(0);
-                    run.forgives |= open.is_none();
+                    run.lost += open;
                 }
                 Says::Does(does) => {
                     // What begins a part or stands after it is reached in another way.

@@ -47,9 +47,6 @@ pub(crate) trait Machine<'t, 'f>: Sized {
     /// Does an instruction.
     fn line(&mut self, at: usize);
 
-    /// `)`
-    fn close_line(&mut self, span: Span);
-
     /// Before something changes: puts aside what the reader itself holds.
     fn before_own(&mut self, _changes: &Changes) {}
 }

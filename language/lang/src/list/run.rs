@@ -20,12 +20,10 @@ pub(crate) enum Acc {
 }
 
 /// What a result waits for.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) enum Waiting {
     /// For `)`, with N where the result is inverted.
     Deferred(Op, bool),
-    /// The same, for a function of the norm.
-    Function(String, bool),
     /// For ALD, OLD, or a counter with more than one input.
     Pushed,
 }
@@ -42,6 +40,8 @@ pub(crate) enum Changes<'p> {
 pub(crate) struct Frame {
     pub acc: Acc,
     pub waiting: Waiting,
+    /// The operator that it waits for.
+    pub operator: Span,
     pub span: Span,
     pub links: u32,
 }
@@ -67,8 +67,6 @@ pub(crate) struct Run {
     pub decided: Option<bool>,
     /// Parentheses whose operations are lost to an error.
     pub lost: usize,
-    /// Something is wrong that may have been one, so that a `)` too many is not told.
-    pub forgives: bool,
     /// N after a parenthesis: the load that follows is inverted.
     pub inverts: bool,
     /// The result that nothing has used yet.
@@ -101,7 +99,6 @@ impl Run {
             pushed: Vec::new(),
             decided: None,
             lost: 0,
-            forgives: false,
             inverts: false,
             unused: None,
             unreachable: false,

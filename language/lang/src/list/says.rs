@@ -10,8 +10,8 @@ pub(crate) enum Says<'l> {
     Label(Cow<'l, str>, Span),
     /// `)`
     Close(Span),
-    /// What is wrong has been told; so many parentheses are lost with it, where that is known.
-    Wrong(Option<usize>),
+    /// What is wrong has been told; so many parentheses are lost with it.
+    Wrong(usize),
     Does(Does<'l>),
 }
 

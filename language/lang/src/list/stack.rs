@@ -53,6 +53,7 @@ pub(crate) trait Stack<'t, 'f>: Machine<'t, 'f> {
             run.frames.push(Frame {
                 acc,
                 waiting: Waiting::Pushed,
+                operator: span,
                 span,
                 links: run.links,
             });

@@ -4,6 +4,7 @@ use super::meaning::{Counter, DeclaredInput, Instance, Names, Place, Timer};
 use crate::ast::{Init, Section, UnitKind, Var, Word};
 use crate::diagnostics::{Code, Found, Span};
 use crate::tree::{Bit, Num};
+use crate::typed::Base;
 use std::collections::HashMap;
 use unoclp_core::isa::Opcode;
 use unoclp_point::{Address, read};
@@ -23,7 +24,7 @@ impl Names<'_> {
             }
             let initials = self.initials;
             let place = self.declared(var, kind, instance, found);
-            if var.retain {
+            if var.retain && place != Place::Typed {
                 self.retain(place, var, kind, initials, found);
             }
             let name = var.name.text.trim_start_matches('%').to_owned();
@@ -50,6 +51,7 @@ impl Names<'_> {
     /// The result of a function, which has its name.
     pub(crate) fn result(&mut self, instance: usize, name: &Word, ty: &str, found: &mut Found) {
         let place = match ty {
+            ty if Base::named(ty).is_none_or(|base| !base.is_plain()) => Place::Typed,
             "BOOL" => Place::Bit(Bit::At(Address::Marker(self.temps.named_marker(false)))),
             _ => Place::Number(Num::At(Address::Register(self.temps.named_register()))),
         };
@@ -61,6 +63,9 @@ impl Names<'_> {
     }
 
     fn declared(&mut self, var: &Var, kind: UnitKind, instance: usize, found: &mut Found) -> Place {
+        if var.typed.is_some() {
+            return Place::Typed;
+        }
         let span = var.name.span;
         if let Some(at) = &var.at {
             let place = self.place(at, None, found);
@@ -198,8 +203,17 @@ impl Names<'_> {
     }
 }
 
+/// The block that has one of the norm's longer names: of `CTU_DINT`, CTU.
+pub(crate) fn plain_block(ty: &str) -> &str {
+    match ty.rsplit_once('_') {
+        Some((plain, "INT" | "DINT")) if plain.starts_with("CT") => plain,
+        Some((plain, "TIME")) => plain,
+        _ => ty,
+    }
+}
+
 fn timer_kind(ty: &str) -> Option<Opcode> {
-    Some(match ty {
+    Some(match plain_block(ty) {
         "TON" => Opcode::OnDelay,
         "TOF" => Opcode::OffDelay,
         "TP" => Opcode::Pulse,
@@ -209,7 +223,7 @@ fn timer_kind(ty: &str) -> Option<Opcode> {
 }
 
 fn counter_kind(ty: &str) -> Option<Opcode> {
-    Some(match ty {
+    Some(match plain_block(ty) {
         "CTU" | "CTUD" => Opcode::CountUp,
         "CTD" => Opcode::CountDown,
         _ => return None,

@@ -28,6 +28,8 @@ pub(crate) enum Place {
     Latch(bool, u8),
     /// An instance of a function block of the file, by its index.
     Instance(usize),
+    /// What has a type that is none of bits, whole numbers of the board, or blocks, or a part of it.
+    Typed,
     /// Something was wrong with it, and has been told.
     Unknown,
 }

@@ -184,7 +184,10 @@ impl<'t> Names<'t> {
     ) -> Place {
         let name = match &operand.kind {
             OperandKind::Name(name) => name,
-            OperandKind::Number(number) => return Place::Number(Num::Const(*number)),
+            OperandKind::Number(number) | OperandKind::Time(number) | OperandKind::Real(number) => {
+                return Place::Number(Num::Const(*number));
+            }
+            OperandKind::Piece(_) => return Place::Typed,
             OperandKind::Bool(state) => return Place::Always(*state),
             OperandKind::Unknown => return Place::Unknown,
         };
@@ -214,6 +217,12 @@ impl<'t> Names<'t> {
         self.point(&point, span, found)
     }
 
+    /// Whether this is a point of the board, as this maker writes them.
+    pub(crate) fn is_point(&self, name: &str) -> bool {
+        let written = read(name, self.dialect.maker());
+        written.is_some_and(|written| written.address.is_some())
+    }
+
     /// Whether a name is declared, or an address.
     pub(crate) fn knows(&self, name: &str, instance: Option<usize>) -> bool {
         let local = instance.is_some_and(|at| self.instances[at].names.contains_key(name));
@@ -223,6 +232,11 @@ impl<'t> Names<'t> {
     /// What a name of the whole file means.
     pub(crate) fn shared(&self, name: &str) -> Option<Place> {
         self.global.get(name).copied()
+    }
+
+    /// Whether the text stores to this name, in upper case.
+    pub(crate) fn is_stored(&self, name: &str) -> bool {
+        self.near.is_stored(name)
     }
 
     /// What to do about a name that cannot be called.

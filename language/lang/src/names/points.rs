@@ -107,10 +107,14 @@ impl Names<'_> {
             }
             Place::Latch(true, _) => (None, "Q1, S1, R"),
             Place::Latch(false, _) => (None, "Q1, S, R1"),
-            Place::Instance(instance) => (
-                self.instances[instance].names.get(member).copied(),
-                "VAR_INPUT, VAR_OUTPUT",
-            ),
+            Place::Typed => return Place::Typed,
+            Place::Instance(instance) => {
+                let names = &self.instances[instance].names;
+                let first = member.split('.').next().unwrap_or(member);
+                let typed = names.get(first).filter(|place| **place == Place::Typed);
+                let place = names.get(member).or(typed);
+                (place.copied(), "VAR_INPUT, VAR_OUTPUT")
+            }
             Place::Unknown => return Place::Unknown,
             _ => (None, ""),
         };

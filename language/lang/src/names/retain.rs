@@ -78,7 +78,7 @@ impl Names<'_> {
             Place::Bit(Bit::At(Address::Marker(marker))) if marker >= RETENTIVE => None,
             Place::Number(Num::At(Address::Group(group))) if group >= GROUP => None,
             // It has been told.
-            Place::Unknown => None,
+            Place::Unknown | Place::Typed => None,
             Place::Bit(Bit::At(Address::Marker(_))) | Place::Number(Num::At(Address::Group(_))) => {
                 return Err(MARKER);
             }

@@ -37,7 +37,11 @@ impl Names<'_> {
         }
         self.lend_width(instance, var, None);
         let names = &mut self.instances[instance].names;
-        let twice = names.insert(var.name.text.clone(), Place::Unknown);
+        let place = match var.typed {
+            Some(_) => Place::Typed,
+            None => Place::Unknown,
+        };
+        let twice = names.insert(var.name.text.clone(), place);
         if twice.is_some() {
             let text = self.written(span);
             found.tell(Code::NameTwice, span, [text.into()]);

@@ -3,9 +3,18 @@
 use super::Parser;
 use super::types::TYPES;
 use crate::ast::{Init, Section, Unit, Var, Word};
-use crate::diagnostics::Code;
+use crate::diagnostics::{Code, Span};
 use crate::lexer::{Kind, SECTIONS, Token};
 use crate::operators;
+use crate::st::pieces::Declared;
+use crate::typed::Base;
+
+/// What a section says of its variables.
+struct Of {
+    section: Section,
+    retain: bool,
+    constant: bool,
+}
 
 impl Parser<'_, '_> {
     /// The section that this word opens.
@@ -54,8 +63,15 @@ impl Parser<'_, '_> {
     }
 
     fn declare_all(&mut self, opening: Token, section: Section, unit: &mut Unit) {
-        let retain = self.is(self.peek(), "RETAIN");
-        if retain || self.is(self.peek(), "CONSTANT") {
+        let (mut retain, mut constant) = (false, false);
+        loop {
+            if self.is(self.peek(), "RETAIN") {
+                retain = true;
+            } else if self.is(self.peek(), "CONSTANT") {
+                constant = true;
+            } else {
+                break;
+            }
             self.advance();
         }
         loop {
@@ -68,7 +84,12 @@ impl Parser<'_, '_> {
                 }
                 Kind::Name if !self.is_instruction() => {
                     self.wrong_declarations |= self.is_stray();
-                    self.declaration(section, retain, unit);
+                    let of = Of {
+                        section,
+                        retain,
+                        constant,
+                    };
+                    self.declaration(&of, unit);
                 }
                 Kind::Name | Kind::End => {
                     let why = (
@@ -119,7 +140,8 @@ impl Parser<'_, '_> {
     }
 
     /// `start, stop AT %IX1 : BOOL := TRUE;`
-    fn declaration(&mut self, section: Section, retain: bool, unit: &mut Unit) {
+    fn declaration(&mut self, of: &Of, unit: &mut Unit) {
+        let first = self.at;
         let mut names = Vec::new();
         while let Some(name) = self.take(Kind::Name) {
             names.push(self.word(name));
@@ -145,6 +167,10 @@ impl Parser<'_, '_> {
                 ),
             );
         }
+        if self.is_typed() {
+            self.at = first;
+            return self.typed_declaration(of, unit);
+        }
         let Some(ty) = self.take(Kind::Name) else {
             return self.unexpected_declaration();
         };
@@ -160,12 +186,14 @@ impl Parser<'_, '_> {
         };
         for name in names {
             unit.vars.push(Var {
-                section,
-                retain,
+                section: of.section,
+                retain: of.retain,
+                constant: of.constant,
                 name,
                 at: at.clone(),
                 ty: Word { ..ty.clone() },
                 init: init.clone(),
+                typed: None,
             });
         }
         let next = self.peek();
@@ -173,6 +201,80 @@ impl Parser<'_, '_> {
         if !ends && !self.is(next, "END_VAR") {
             self.unexpected_declaration();
         }
+    }
+
+    /// Whether the type that comes is none of bits, whole numbers of the board, or blocks.
+    fn is_typed(&self) -> bool {
+        let token = self.peek();
+        let word = self.word(token).text;
+        match token.kind {
+            Kind::Open => true,
+            Kind::Name if TYPES.contains(&word.as_str()) => {
+                // `INT (0..100)`
+                let range = (2..6).any(|at| self.text_of(self.ahead(at).span) == "..");
+                self.ahead(1).kind == Kind::Open && range
+            }
+            Kind::Name => {
+                Base::named(&word).is_some_and(|base| !base.is_plain())
+                    || matches!(word.as_str(), "ARRAY" | "STRUCT")
+                    || self.type_names.contains(&word)
+            }
+            _ => false,
+        }
+    }
+
+    /// A declaration as Structured Text has it.
+    fn typed_declaration(&mut self, of: &Of, unit: &mut Unit) {
+        let span = Span {
+            start: self.peek().span.start,
+            end: self.end_of_declaration(),
+        };
+        let declared = self.within(|text, found| Declared::read(text, span, found));
+        let Some((declared, end)) = declared else {
+            self.wrong_declarations = true;
+            return self.skip_to(span.end);
+        };
+        self.skip_to(end);
+        let ty = Word {
+            text: self.word_at(declared.spec()),
+            span: declared.spec(),
+        };
+        let names = declared.names().map(|(name, span)| Word {
+            text: name.to_uppercase(),
+            span,
+        });
+        let names: Vec<Word> = names.collect();
+        let number = self.pieces.declare(declared);
+        for name in names {
+            unit.vars.push(Var {
+                section: of.section,
+                retain: of.retain,
+                constant: of.constant,
+                name,
+                at: None,
+                ty: ty.clone(),
+                init: Vec::new(),
+                typed: Some(number),
+            });
+        }
+    }
+
+    /// Where a declaration ends at the latest: after its semicolon, or at END_VAR.
+    fn end_of_declaration(&self) -> u32 {
+        let mut open = 0_u32;
+        for (at, token) in self.tokens.iter().enumerate().skip(self.at) {
+            match token.kind {
+                Kind::NewLine if open == 0 && self.ahead_of(at + 2).kind == Kind::Colon => {
+                    return token.span.start;
+                }
+                Kind::Name if self.is(*token, "STRUCT") => open += 1,
+                Kind::Name if self.is(*token, "END_STRUCT") => open = open.saturating_sub(1),
+                Kind::Name if self.is(*token, "END_VAR") => return token.span.start,
+                Kind::Semicolon if open == 0 => return token.span.end,
+                _ => {}
+            }
+        }
+        self.text.len() as u32
     }
 
     pub(super) fn colon_missing(&mut self, before: Token, help: (&str, &str)) {

@@ -24,7 +24,8 @@ impl Parser<'_, '_> {
             end: next.span.start,
         };
         let ends = matches!(next.kind, Kind::NewLine | Kind::End);
-        (ends || self.text_of(between).trim_start().starts_with('/')) && is_code(code)
+        let remark = next.kind == Kind::Sign && self.text_of(next.span) == "/";
+        (ends || remark || self.text_of(between).trim_start().starts_with('/')) && is_code(code)
     }
 
     /// From CONFIGURATION to END_CONFIGURATION: who runs the program, and how often, is no question here. What

@@ -13,6 +13,8 @@ use crate::ast::{Unit, UnitKind, Word};
 use crate::diagnostics::{Code, Found, Lines, Severity, Span, Word as Said};
 use crate::dialect::Signs;
 use crate::lexer::{Kind, Token, Words, words};
+use crate::st::pieces::Pieces;
+use crate::typed::build::is_function;
 use std::collections::HashSet;
 
 /// A declaration has no more words before its type than this.
@@ -22,6 +24,8 @@ const MOST_WORDS: usize = 64;
 pub(crate) struct Parsed {
     /// The program first, then functions and function blocks.
     pub units: Vec<Unit>,
+    /// What is written as in Structured Text.
+    pub pieces: Pieces,
     pub signs: Signs,
     /// Where comments stand.
     pub comments: Vec<Span>,
@@ -40,6 +44,10 @@ pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
     let mut parser = Parser {
         text,
         functions: HashSet::new(),
+        pieces: Pieces::default(),
+        type_names: HashSet::new(),
+        own: HashSet::new(),
+        in_call: false,
         declares_n: false,
         tokens,
         at: 0,
@@ -59,6 +67,7 @@ pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
     remarks.iter().for_each(|&remark| parser.remark(remark));
     Parsed {
         units,
+        pieces: parser.pieces,
         signs: parser.signs,
         comments,
         wrong_declarations: parser.wrong_declarations,
@@ -69,6 +78,12 @@ struct Parser<'t, 'f> {
     text: &'t str,
     /// The names of the file's functions, which are operators too.
     functions: HashSet<String>,
+    pieces: Pieces,
+    /// The names of the types that TYPE declares, and what stands before a colon anywhere.
+    type_names: HashSet<String>,
+    own: HashSet<String>,
+    /// Between the parentheses of a call, which may go over lines.
+    in_call: bool,
     /// A variable is called N, as the modifier is.
     declares_n: bool,
     tokens: Vec<Token>,
@@ -97,8 +112,12 @@ impl Parser<'_, '_> {
 
     /// The token so many after the next one; the last token is the end.
     fn ahead(&self, more: usize) -> Token {
+        self.ahead_of(self.at + more)
+    }
+
+    fn ahead_of(&self, at: usize) -> Token {
         let last = self.tokens.len() - 1;
-        self.tokens[(self.at + more).min(last)]
+        self.tokens[at.min(last)]
     }
 
     fn advance(&mut self) -> Token {
@@ -179,7 +198,11 @@ impl Parser<'_, '_> {
         let token = self.peek();
         if !matches!(token.kind, Kind::NewLine | Kind::End) {
             let text = self.text_of(token.span).to_owned();
-            self.tell(Code::Unexpected, token.span, [text.into()]);
+            let code = match token.kind {
+                Kind::Sign | Kind::Text => Code::StrayCharacter,
+                _ => Code::Unexpected,
+            };
+            self.tell(code, token.span, [text.into()]);
         }
         self.skip_line();
     }
@@ -190,12 +213,79 @@ impl Parser<'_, '_> {
         }
     }
 
+    /// Reads a piece of the text in another way; what is wrong with it counts here too.
+    fn within<T>(&mut self, read: impl FnOnce(&str, &mut Found) -> T) -> T {
+        let mut told = Found::default();
+        let made = read(self.text, &mut told);
+        for span in told.errors() {
+            self.errors += 1;
+            self.wrong_lines.insert(self.lines.line(span.start));
+        }
+        self.found.join(told);
+        made
+    }
+
+    /// Goes on with what stands after this byte.
+    fn skip_to(&mut self, end: u32) {
+        while self.peek().kind != Kind::End && self.peek().span.start < end {
+            self.at += 1;
+        }
+    }
+
+    /// TYPE … END_TYPE
+    fn types(&mut self) {
+        let start = self.peek().span.start;
+        let rest = self.tokens.iter().skip(self.at);
+        let end = rest.clone().find(|token| self.is(**token, "END_TYPE"));
+        let end = end.map_or(self.text.len() as u32, |token| token.span.end);
+        let mut types = std::mem::take(&mut self.pieces.types);
+        let span = Span { start, end };
+        let right = self.within(|text, found| types.read(text, span, found));
+        self.pieces.types = types;
+        self.wrong_declarations |= !right;
+        self.skip_to(end);
+        while self.take(Kind::Semicolon).is_some() {}
+    }
+
+    /// Whether TYPE … END_TYPE begins here.
+    fn begins_types(&self) -> bool {
+        self.is(self.peek(), "TYPE") && self.ahead(1).kind != Kind::Colon && self.begins_line()
+    }
+
+    /// Whether this word is a function of the norm here.
+    fn is_norm(&self, word: &str) -> bool {
+        !self.own.contains(word) && is_function(word)
+    }
+
     fn find_names(&mut self) {
+        let mut in_types = false;
+        for at in 0..self.tokens.len() {
+            let name = self.tokens[at];
+            let next = self.ahead_of(at + 1);
+            let begins = at == 0 || self.tokens[at - 1].kind == Kind::NewLine;
+            if begins && self.is(name, "TYPE") && next.kind != Kind::Colon {
+                in_types = true;
+            } else if self.is(name, "END_TYPE") {
+                in_types = false;
+            } else if name.kind == Kind::Name && next.kind == Kind::Colon {
+                let word = self.word(name).text;
+                if in_types {
+                    self.type_names.insert(word);
+                } else {
+                    self.own.insert(word);
+                }
+            }
+        }
         for at in 1..self.tokens.len() {
             let (before, name) = (self.tokens[at - 1], self.tokens[at]);
             if self.is(before, "FUNCTION") && name.kind == Kind::Name {
                 let name = self.word(name).text;
+                self.own.insert(name.clone());
                 self.functions.insert(name);
+            }
+            if self.is(before, "FUNCTION_BLOCK") && name.kind == Kind::Name {
+                let name = self.word(name).text;
+                self.own.insert(name);
             }
             let declares = matches!(name.kind, Kind::Colon | Kind::Comma) || self.is(name, "AT");
             self.declares_n |= declares && self.is(before, "N");

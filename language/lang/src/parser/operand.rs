@@ -2,16 +2,24 @@
 
 use super::Parser;
 use crate::ast::{Operand, OperandKind, Param, Word};
-use crate::diagnostics::Code;
+use crate::diagnostics::{Code, Found, Span};
 use crate::lexer::Kind;
 use crate::literal;
 use crate::operators::{self, Op};
+use crate::st::pieces::Piece;
+use crate::typed::Base;
 use unoclp_point::{LETTERS, is_block};
 
 impl Parser<'_, '_> {
     /// The operand that comes next; none, and nothing taken, where there is none.
     pub(super) fn operand(&mut self) -> Option<Operand> {
         let token = self.peek();
+        if self.is_piece() {
+            return self.piece(match token.kind {
+                Kind::Name => Piece::place,
+                _ => Piece::operand,
+            });
+        }
         let (kind, span) = match token.kind {
             Kind::Minus => {
                 let number = self.ahead(1);
@@ -23,6 +31,9 @@ impl Parser<'_, '_> {
                 let text = self.text_of(number.span).to_owned();
                 match literal::value(&text) {
                     Some(value) => (OperandKind::Number(value.wrapping_neg()), span),
+                    None if literal::is_decimal(&text) => {
+                        (OperandKind::Name(format!("-{text}")), span)
+                    }
                     None => (self.bad_number(&text, span), span),
                 }
             }
@@ -33,13 +44,24 @@ impl Parser<'_, '_> {
             Kind::Number | Kind::Literal => {
                 self.at += 1;
                 let text = self.text_of(token.span).to_owned();
+                // A REAL, or a channel and bit, as OMRON writes points: 0.00.
                 let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | '_');
-                // A channel and bit, as OMRON writes points: 0.00.
-                if token.kind == Kind::Number && text.contains('.') && text.chars().all(digits) {
+                let channel = text.contains('.') && text.chars().all(digits);
+                if token.kind == Kind::Number && (channel || literal::is_decimal(&text)) {
                     (OperandKind::Name(text), token.span)
+                } else if token.kind == Kind::Literal
+                    && text
+                        .get(..5)
+                        .is_some_and(|t| t.eq_ignore_ascii_case("REAL#"))
+                    && let Some(bits) = literal::value(&text)
+                {
+                    (OperandKind::Real(bits), token.span)
                 } else {
                     match literal::value(&text) {
                         // The smallest number stands only after a minus.
+                        Some(value) if text.starts_with(['T', 't']) => {
+                            (OperandKind::Time(value), token.span)
+                        }
                         Some(value) if token.kind == Kind::Literal || value >= 0 => {
                             (OperandKind::Number(value), token.span)
                         }
@@ -60,6 +82,90 @@ impl Parser<'_, '_> {
             _ => return None,
         };
         Some(Operand { kind, span })
+    }
+
+    /// Whether what comes is written as in Structured Text.
+    fn is_piece(&self) -> bool {
+        let (token, next) = (self.peek(), self.ahead(1));
+        match token.kind {
+            Kind::Text => true,
+            Kind::Name => next.kind == Kind::Sign && self.text_of(next.span) == "[",
+            Kind::Literal => {
+                let text = self.text_of(token.span);
+                literal::value(text).is_none() && self.is_typed_prefix(text)
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether a type of Structured Text stands before the `#` of a literal.
+    fn is_typed_prefix(&self, text: &str) -> bool {
+        let prefix = text.split('#').next().unwrap_or_default().to_uppercase();
+        self.type_names.contains(&prefix)
+            || Base::named(&prefix).is_some_and(|base| !base.is_plain())
+            || matches!(prefix.as_str(), "D" | "DATE")
+    }
+
+    /// What comes, as Structured Text has it.
+    fn piece(&mut self, read: PieceReader) -> Option<Operand> {
+        let start = self.peek().span;
+        let span = Span {
+            start: start.start,
+            end: self.end_of_piece(),
+        };
+        let piece = self.within(|text, found| read(text, span, found));
+        let Some((piece, end)) = piece else {
+            self.skip_to(span.end);
+            let kind = OperandKind::Unknown;
+            return Some(Operand { kind, span: start });
+        };
+        self.skip_to(end);
+        let span = piece.span();
+        let kind = OperandKind::Piece(self.pieces.add(piece));
+        Some(Operand { kind, span })
+    }
+
+    /// Where an operand ends at the latest: at its line's end, or, between parentheses, where the next parameter begins.
+    fn end_of_piece(&self) -> u32 {
+        let mut open = 0_u32;
+        for token in self.tokens.iter().skip(self.at) {
+            match token.kind {
+                Kind::Open => open += 1,
+                Kind::Sign if self.text_of(token.span) == "[" => open += 1,
+                Kind::Sign if self.text_of(token.span) == "]" => open = open.saturating_sub(1),
+                Kind::Close if open == 0 => return token.span.start,
+                Kind::Close => open -= 1,
+                Kind::Comma if open == 0 => return token.span.start,
+                Kind::NewLine if !self.in_call => return token.span.start,
+                Kind::End => return token.span.start,
+                _ => {}
+            }
+        }
+        self.text.len() as u32
+    }
+
+    /// Whether the parameter that comes is more than an operand: `n > 50`.
+    fn is_expression(&self) -> bool {
+        let begins = [1, 2].map(|more| self.ahead(more).kind);
+        if matches!(begins, [Kind::Name, Kind::Assign | Kind::Arrow]) {
+            return false;
+        }
+        let rest = self.tokens.iter().skip(self.at).enumerate();
+        for (at, token) in rest {
+            match token.kind {
+                Kind::Open | Kind::Sign | Kind::And | Kind::Equals => return true,
+                Kind::Plus | Kind::Minus if at > 0 => return true,
+                Kind::Name if at > 0 => {
+                    let joins = ["AND", "OR", "XOR", "MOD"];
+                    if joins.iter().any(|word| self.is(*token, word)) {
+                        return true;
+                    }
+                }
+                Kind::Comma | Kind::Close | Kind::Assign | Kind::Arrow | Kind::End => return false,
+                _ => {}
+            }
+        }
+        false
     }
 
     /// `I 0.0`, as Siemens spaces addresses, and `TIM 000`, as OMRON does.
@@ -96,7 +202,7 @@ impl Parser<'_, '_> {
         Some(Operand { kind, span })
     }
 
-    fn bad_number(&mut self, text: &str, span: crate::diagnostics::Span) -> OperandKind {
+    fn bad_number(&mut self, text: &str, span: Span) -> OperandKind {
         let (code, meant) = literal::fault(text);
         let written = self.text_of(span).to_owned();
         self.tell(code, span, [written.into(), meant.into()]);
@@ -193,6 +299,13 @@ impl Parser<'_, '_> {
 
     /// From after the parenthesis of a call to its end. They may go over lines.
     pub(super) fn params(&mut self) -> Vec<Param> {
+        self.in_call = true;
+        let params = self.params_within();
+        self.in_call = false;
+        params
+    }
+
+    fn params_within(&mut self) -> Vec<Param> {
         let mut params = Vec::new();
         loop {
             while self.take(Kind::NewLine).is_some() {}
@@ -244,11 +357,15 @@ impl Parser<'_, '_> {
             self.at += 1;
             name = Some(self.word(token));
         }
-        let negated = self.is(self.peek(), "NOT");
+        let expression = !out && self.is_expression();
+        let negated = !expression && self.is(self.peek(), "NOT");
         if negated {
             self.at += 1;
         }
-        let value = self.operand()?;
+        let value = match expression {
+            true => self.piece(Piece::expression)?,
+            false => self.operand()?,
+        };
         Some(Param {
             name,
             out,
@@ -257,6 +374,9 @@ impl Parser<'_, '_> {
         })
     }
 }
+
+/// What reads a piece of a text, and where that ends.
+type PieceReader = fn(&str, Span, &mut Found) -> Option<(Piece, u32)>;
 
 /// Mitsubishi's `K50`, a constant.
 fn maker_constant(operand: Operand) -> Operand {

@@ -18,6 +18,12 @@ impl Parser<'_, '_> {
         if self.unknown_section(token, unit) {
             return;
         }
+        if self.begins_types() {
+            return self.types();
+        }
+        if self.begins_line() {
+            self.tell_signs();
+        }
         match token.kind {
             Kind::NewLine | Kind::Semicolon => {
                 self.at += 1;
@@ -82,6 +88,35 @@ impl Parser<'_, '_> {
         }
     }
 
+    /// Tells of the signs of Structured Text in this line that stand in no piece of that.
+    fn tell_signs(&mut self) {
+        let mut open = 0_u32;
+        let mut before = Kind::NewLine;
+        let mut stray = Vec::new();
+        for token in self.tokens.iter().skip(self.at) {
+            let sign = self.text_of(token.span);
+            match token.kind {
+                Kind::NewLine | Kind::End => break,
+                Kind::Open => open += 1,
+                Kind::Close => open = open.saturating_sub(1),
+                Kind::Sign if sign == "[" && before == Kind::Name => open += 1,
+                Kind::Sign if sign == "]" && open > 0 => open -= 1,
+                // `a[1].x`
+                Kind::Sign if sign == "." && before == Kind::Sign => {}
+                Kind::Sign if open == 0 => stray.push(token.span),
+                _ => {}
+            }
+            before = token.kind;
+        }
+        for span in stray {
+            let line = self.lines.line(span.start);
+            let text = self.text_of(span).to_owned();
+            self.found.tell(Code::StrayCharacter, span, [text.into()]);
+            self.stray_lines.insert(line);
+            self.wrong_lines.insert(line);
+        }
+    }
+
     /// Whether this line declares a variable: a name, and a type after its colon.
     fn declares_alone(&self) -> bool {
         let next = self.ahead(1);
@@ -101,7 +136,7 @@ impl Parser<'_, '_> {
         unit.body.push(Stmt::Wrong { open });
     }
 
-    fn word_at(&self, span: Span) -> String {
+    pub(super) fn word_at(&self, span: Span) -> String {
         self.text_of(span).to_uppercase()
     }
 
@@ -138,6 +173,11 @@ impl Parser<'_, '_> {
             return self.wrong(first, unit);
         };
         let mut op = spelling.op;
+        // `SHL (IN := w, N := 2)`
+        let named = self.ahead(1).kind == Kind::Name && self.ahead(2).kind == Kind::Assign;
+        if self.peek().kind == Kind::Open && named && self.is_norm(&self.word_at(span)) {
+            op = Op::Function;
+        }
         let mut open = None;
         if !matches!(op, Op::Function) && self.peek().kind == Kind::Open {
             let paren = self.advance();
@@ -285,6 +325,9 @@ impl Parser<'_, '_> {
         let alone = matches!(next.kind, Kind::NewLine | Kind::Semicolon | Kind::End);
         let structured = operators::is_structured_text(&word) && !alone;
         let Some(mut spelling) = operators::find(&word).filter(|_| !structured) else {
+            if self.is_norm(&word) {
+                return Some((made(Op::Function, false), token.span));
+            }
             if operators::is_structured_text(&word) {
                 self.structured_text(token.span);
                 return None;

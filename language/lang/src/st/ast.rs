@@ -1,7 +1,6 @@
 //! What stands in a text, before anything is known of its names.
 
 use crate::diagnostics::Span;
-use crate::operators::Spelling;
 use crate::typed::{Base, Binary, Compare, UnitKind, Value};
 
 /// A name and its place.
@@ -182,57 +181,11 @@ pub(super) struct UnitDecl {
     /// Of a function.
     pub result: Option<TypeSpec>,
     pub vars: Vec<Vars>,
-    pub body: Body,
-}
-
-/// What a unit does.
-#[derive(Debug)]
-pub(super) enum Body {
-    Statements(Vec<Statement>),
-    /// Instruction List.
-    List(Vec<Line>),
-}
-
-/// A part of a body in Instruction List.
-#[derive(Debug)]
-pub(super) enum Line {
-    Label(Name),
-    Does(Box<Instruction>),
-    /// `)`
-    Close(Span),
-    /// What is wrong has been told.
-    Wrong,
-}
-
-#[derive(Debug)]
-pub(super) struct Instruction {
-    /// The operator as it is written.
-    pub word: Name,
-    /// What it says; none of the name of a function or an instance.
-    pub spelling: Option<Spelling>,
-    /// `(` after the operator, and whether `N` stands after that.
-    pub open: Option<bool>,
-    pub operands: Vec<Arg>,
-    /// What stands in the parentheses of a call.
-    pub given: Option<Vec<Arg>>,
-    pub span: Span,
-}
-
-impl Body {
-    pub(super) fn is_empty(&self) -> bool {
-        match self {
-            Body::Statements(all) => all.is_empty(),
-            Body::List(lines) => lines.is_empty(),
-        }
-    }
+    pub body: Vec<Statement>,
 }
 
 #[derive(Debug, Default)]
 pub(super) struct File {
-    /// It is written in Instruction List.
-    pub is_list: bool,
-    /// Integers go into each other, each cut to what it is stored in: Instruction List without types.
-    pub is_wide: bool,
     pub types: Vec<TypeDecl>,
     pub globals: Vec<Vars>,
     pub units: Vec<UnitDecl>,

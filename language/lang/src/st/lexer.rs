@@ -4,21 +4,22 @@
 //! keyword from a name. Takes time in proportion to the text.
 
 use super::token::{Dialect, FOREIGN, Kind, MEANT, PLAIN, Token};
-use super::words::Keyword;
 use crate::diagnostics::{Code, Found, Span};
 use crate::scanner::{Scanner, is_space, shown};
 
-pub(crate) fn tokens(text: &str, dialect: Dialect, found: &mut Found) -> Vec<Token> {
+/// The words of a text from this byte on.
+pub(crate) fn tokens(text: &str, from: usize, dialect: Dialect, found: &mut Found) -> Vec<Token> {
+    let mut scan = Scanner::new(text);
+    scan.at = scan.at.max(from);
     let mut lexer = Lexer {
-        scan: Scanner::new(text),
+        scan,
         flat: false,
         scl: dialect == Dialect::Scl,
-        remarks: dialect == Dialect::Il,
         list: dialect == Dialect::Il,
         behind: 0,
         found,
     };
-    let mut tokens = Vec::with_capacity(text.len() / 4 + 1);
+    let mut tokens = Vec::with_capacity(text.len().saturating_sub(from) / 4 + 1);
     while let Some(token) = lexer.next() {
         lexer.behind = lexer.scan.at;
         tokens.push(token);
@@ -37,8 +38,6 @@ pub(super) struct Lexer<'t, 'f> {
     /// A comment was found open with its inner ones counted: from there on they do not nest.
     pub flat: bool,
     scl: bool,
-    /// `;` begins a comment, but for where declarations stand.
-    remarks: bool,
     list: bool,
     /// Where the last token ended.
     pub behind: usize,
@@ -63,7 +62,6 @@ impl Lexer<'_, '_> {
                 b'(' if self.scan.peek(1) == b'*' => self.comment(),
                 b'/' if self.scan.peek(1) == b'/' => self.scan.skip_line(),
                 b'/' if self.scan.peek(1) == b'*' => self.slashed(),
-                b';' if self.remarks => self.scan.skip_line(),
                 b'{' if self.scan.peek(1) == b'{' => {
                     self.foreign_code();
                     return self.token(Kind::ForeignCode, start);
@@ -116,7 +114,6 @@ impl Lexer<'_, '_> {
                         self.typed(start);
                         return self.token(Kind::Typed, start);
                     }
-                    self.note_section(start);
                     return self.token(Kind::Word, start);
                 }
                 _ => {
@@ -130,20 +127,6 @@ impl Lexer<'_, '_> {
                     }
                 }
             }
-        }
-    }
-
-    /// Words that begin and end declarations, in Instruction List.
-    fn note_section(&mut self, start: usize) {
-        if !self.list {
-            return;
-        }
-        let word = self.scan.text.get(start..self.scan.at).unwrap_or_default();
-        match Keyword::of(word) {
-            Keyword::EndVar | Keyword::EndType => self.remarks = true,
-            Keyword::Type => self.remarks = false,
-            keyword if keyword.is_section() => self.remarks = false,
-            _ => {}
         }
     }
 

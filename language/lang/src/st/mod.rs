@@ -1,20 +1,20 @@
-//! Structured Text (IEC 61131-3, B.3), SCL, and Instruction List with types: from a text to the typed tree.
+//! Structured Text (IEC 61131-3, B.3), SCL, and pieces of Instruction List that are written so: from a text to the typed tree.
 //!
-//! `lexer` (bytes → words, `token`; `comments` and `bounds` of literals), `typed::literal` (what they are worth), `kinds` (whether a
-//! list has types), `parser` (words → `ast`), `check` (names and types, by the builder that all typed languages share). It
-//! knows no board and no files, and no text makes it panic.
+//! `lexer` (bytes → words, `token`; `comments` and `bounds` of literals), `typed::literal` (what they are worth), `parser` (words → `ast`;
+//! `pieces` of a list too), `check` (names and types, by the builder that all typed languages share). It knows no board and no
+//! files, and no text makes it panic.
 
 mod ast;
 mod bounds;
 mod check;
 mod comments;
-mod kinds;
 mod lexer;
 mod parser;
+pub(crate) mod pieces;
 mod token;
 mod words;
 
-pub use kinds::has_types;
+pub(crate) use check::{Checker, Of};
 pub(crate) use token::Dialect;
 
 use crate::colour::Colour;
@@ -27,7 +27,7 @@ use words::Keyword;
 
 /// The words of a text, and what each is.
 pub(crate) fn colours(text: &str, dialect: Dialect) -> Vec<(Span, Option<Colour>)> {
-    let tokens = lexer::tokens(text, dialect, &mut Found::default());
+    let tokens = lexer::tokens(text, 0, dialect, &mut Found::default());
     let colour = |token: &Token| match token.kind {
         Kind::Address => Some(Colour::Point),
         Kind::Number | Kind::Typed => Some(Colour::Number),

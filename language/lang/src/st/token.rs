@@ -12,7 +12,7 @@ pub(crate) enum Dialect {
     Iec,
     /// As Siemens writes it: `#name`, `"name"`, BEGIN.
     Scl,
-    /// Instruction List, which declares as Structured Text does.
+    /// Pieces of Instruction List, which declares as Structured Text does.
     Il,
 }
 

@@ -25,9 +25,9 @@ macro_rules! il_rows {
         "escreva números como 20, 2#1010 ou 16#FF, e tempos como T#20s ou T#1h2m3s4ms";
     15 Fraction Error
         "`{0}` has a fraction, but the board's numbers are whole"
-        "use a smaller unit: 25 tenths for 2.5. Addresses like 0.00 are OMRON's: use its words to choose that dialect"
+        "use a smaller unit: 25 tenths for 2.5, or declare a REAL. Addresses like 0.00 are OMRON's: use its words to choose that dialect"
         "`{0}` tem casas decimais, mas os números da placa são inteiros"
-        "use uma unidade menor: 25 décimos para 2,5. Endereços como 0.00 são da OMRON: use as palavras dela para escolher esse dialeto";
+        "use uma unidade menor: 25 décimos para 2,5, ou declare um REAL. Endereços como 0.00 são da OMRON: use as palavras dela para escolher esse dialeto";
     16 TimePrefix Error
         "`{0}` is a time, and times begin with T#"
         "write {1}"
@@ -155,9 +155,9 @@ macro_rules! il_rows {
         "dê outro nome a um deles";
     44 UnknownType Error
         "there is no type `{0}`"
-        "use BOOL, INT, DINT, TIME, TON, TOF, TP, TONR, CTU, CTD, CTUD, R_TRIG, F_TRIG, SR, RS or a FUNCTION_BLOCK of this file"
+        "use BOOL, INT, DINT, REAL, TIME, TON, TOF, TP, TONR, CTU, CTD, CTUD, R_TRIG, F_TRIG, SR, RS or a FUNCTION_BLOCK of this file"
         "não existe o tipo `{0}`"
-        "use BOOL, INT, DINT, TIME, TON, TOF, TP, TONR, CTU, CTD, CTUD, R_TRIG, F_TRIG, SR, RS ou um FUNCTION_BLOCK deste arquivo";
+        "use BOOL, INT, DINT, REAL, TIME, TON, TOF, TP, TONR, CTU, CTD, CTUD, R_TRIG, F_TRIG, SR, RS ou um FUNCTION_BLOCK deste arquivo";
     45 NoSuchMember Error
         "{0} has nothing called `{1}`"
         "{2}"
@@ -243,10 +243,10 @@ macro_rules! il_rows {
         "combine the conditions with OR and write it once, or use S and R"
         "{0} é escrito outra vez aqui; só o último armazenamento da varredura chega à saída"
         "junte as condições com OR e escreva uma só vez, ou use S e R";
-    62 TimerTwice Error
-        "{0} is called again here, but a program can call a timer only once"
+    62 TimerTwice Warning
+        "{0} is called again here, and each call runs the same timer"
         "call it once, with its conditions joined by OR, or use another timer here"
-        "{0} é chamado outra vez aqui, mas um programa só pode chamar um temporizador uma vez"
+        "{0} é chamado outra vez aqui, e cada chamada roda o mesmo temporizador"
         "chame-o uma só vez, com as condições unidas por OR, ou use outro temporizador aqui";
     63 NeverRead Warning
         "the input `{0}` is declared, but the program never reads it"

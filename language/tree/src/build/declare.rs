@@ -3,9 +3,7 @@
 use super::builder::{Builder, MOST_CELLS};
 use super::named::{Named, Param, Section, Traits, Variable};
 use super::words::both;
-use crate::{
-    Base, Declared, Expr, ExprKind, Initial, Kind, Root, Store, TypeId, UnitKind, Value,
-};
+use crate::{Base, Declared, Expr, ExprKind, Initial, Kind, Root, Store, TypeId, UnitKind, Value};
 use std::sync::Arc;
 use unoclp_text::diagnostics::{Code, Span};
 

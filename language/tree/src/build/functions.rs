@@ -248,6 +248,9 @@ impl Builder<'_, '_> {
     /// Whether a value is of another type than the conversion begins with, and another conversion is meant.
     fn is_other(&self, operand: &Expr, from: TypeId) -> bool {
         let base = self.tree.types.base(from);
+        if base.is_some_and(|base| self.goes_into(operand.base, base)) {
+            return false;
+        }
         let known = !matches!(operand.kind, ExprKind::Wrong) && !operand.base.is_any();
         known
             && !self.is_enum(from)

@@ -2,9 +2,9 @@
 
 use super::builder::Builder;
 use super::places::Target;
-use unoclp_text::diagnostics::Code;
 use crate::{Expr, ExprKind, Place, Root, Stmt, StmtKind, Store, TypeId};
 use unoclp_point::Address;
+use unoclp_text::diagnostics::Code;
 
 impl Builder<'_, '_> {
     /// Whether a target is an input in which something may be stored; that is told the first time.

@@ -63,7 +63,7 @@ mod turns;
 mod words;
 
 pub use arguments::{Argument, Given};
-pub use builder::{Builder, Draft, MOST_CELLS};
+pub use builder::{Builder, MOST_CELLS};
 pub use functions::{is_function, usual};
 pub use named::{Letters, Named, Section, Traits};
 pub use places::Target;

@@ -139,7 +139,7 @@ impl Builder<'_, '_> {
         let divides = matches!(op, Binary::Divide | Binary::Modulo);
         let by_zero =
             divides && matches!(&b.kind, ExprKind::Constant(divisor) if divisor.real() == 0.0);
-        if by_zero && !self.divides_by_zero {
+        if by_zero && (!self.divides_by_zero || self.is_list && base.is_real()) {
             self.tell(Code::StDivisionByZero, at, []);
             return self.wrong(at);
         }

@@ -182,7 +182,7 @@ impl Builder<'_, '_> {
         true
     }
 
-    fn goes_into(&self, from: Base, to: Base) -> bool {
+    pub(super) fn goes_into(&self, from: Base, to: Base) -> bool {
         let is_small = |base: Base| base.is_int() && base.bits() <= 32;
         from.widens_to(to) || self.is_wide && is_small(from) && is_small(to)
     }

@@ -2,8 +2,8 @@
 
 use super::builder::Builder;
 use super::named::Turn;
-use unoclp_text::diagnostics::{Code, Span};
 use crate::{Binary, Expr, ExprKind, For, Root, Stmt, StmtKind, Store, Value};
+use unoclp_text::diagnostics::{Code, Span};
 
 /// A loop of more turns stays one.
 const MOST_TURNS: usize = 100;

@@ -94,7 +94,7 @@ fn each_step_of_instruction_list_stands_at_its_instruction() {
     for path in programs {
         let name = path.display().to_string();
         let source = check(&name, &fs::read(&path).unwrap());
-        let has_types = unoclp_lang::has_types(&source.text);
+        let has_types = !source.variables.is_empty();
         let lines: Vec<&str> = source.text.lines().collect();
         let code_lines: Vec<&str> = str::from_utf8(&source.code).unwrap().lines().collect();
         let mut next = 2;

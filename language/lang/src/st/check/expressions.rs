@@ -81,7 +81,7 @@ impl Checker<'_, '_, '_> {
     }
 
     /// `Color.Red`, where no variable has the name of the type: the type and the value.
-    fn dotted<'p>(&self, path: &'p Path) -> Option<(&'p Name, &'p Name)> {
+    pub(super) fn dotted<'p>(&self, path: &'p Path) -> Option<(&'p Name, &'p Name)> {
         let [Part::Member(value)] = path.parts.as_slice() else {
             return None;
         };

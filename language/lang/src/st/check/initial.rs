@@ -4,7 +4,7 @@ use super::super::ast::{Init, Name, Node};
 use super::Checker;
 use crate::diagnostics::{Code, Span, Word};
 use crate::typed::build::{Section, both};
-use crate::typed::{Initial, Kind, Standard, TypeId};
+use crate::typed::{Initial, Kind, TypeId};
 use std::sync::Arc;
 
 type Elements = Vec<(u32, Option<Arc<Initial>>)>;
@@ -24,9 +24,6 @@ impl Checker<'_, '_, '_> {
                 Init::Members(all, _),
                 kind @ (Kind::Struct(_) | Kind::Standard(_) | Kind::Block(_)),
             ) => self.members(name, all, &kind),
-            (Init::Value(node), Kind::Standard(block)) if self.file.is_list => {
-                self.preset(name, node, block)
-            }
             (Init::Value(node), Kind::Array { .. }) => self.told_form(name, node.span, "[1, 2, 3]"),
             (Init::Value(node), _) => self.told_form(name, node.span, "(x := 1, y := 2)"),
             (Init::Elements(_, at), Kind::Struct(_)) => {
@@ -38,18 +35,6 @@ impl Checker<'_, '_, '_> {
             (Init::Members(_, at), Kind::Array { .. }) => self.told_form(name, *at, "[1, 2, 3]"),
             (Init::Elements(_, at) | Init::Members(_, at), _) => self.told_form(name, *at, "1"),
         }
-    }
-
-    /// `TON := T#5s`, as Instruction List says a preset.
-    fn preset(&mut self, name: &Name, node: &Node, block: Standard) -> Option<Arc<Initial>> {
-        let preset = block.part("PT").or_else(|| block.part("PV"));
-        let Some((offset, (_, base, _))) = preset else {
-            return self.told_form(name, node.span, "(x := 1)");
-        };
-        let ty = TypeId::of(base);
-        let expr = self.expr(node, Some(ty));
-        let value = self.builder.initial(expr, ty)?;
-        Some(Arc::new(Initial::Members(vec![(offset, ty, value)])))
     }
 
     fn told_form(&mut self, name: &Name, at: Span, like: &str) -> Option<Arc<Initial>> {

@@ -2,7 +2,7 @@
 //!
 //! - `types`, `derived`: types as they are declared, and what a variable begins with
 //! - `units`: variables, and the order in which units are declared
-//! - `list`: what Instruction List does
+//! - `pieces`: what stands in Instruction List as in Structured Text
 //! - `condition`: an expression alone, over names that are given
 //! - `expressions`, `statements`: the rest
 //!
@@ -12,10 +12,12 @@ pub(super) mod condition;
 mod derived;
 mod expressions;
 mod initial;
-mod list;
+pub(crate) mod pieces;
 mod statements;
 mod types;
 mod units;
+
+pub(crate) use units::Of;
 
 use super::ast::File;
 use crate::diagnostics::{Code, Found, Span, Word};
@@ -24,6 +26,7 @@ use crate::typed::build::{Builder, Letters};
 use crate::typed::{Tree, TypeId};
 use std::collections::HashMap;
 use unoclp_core::Board;
+use unoclp_point::Maker;
 
 /// Types and blocks are made of others no deeper.
 const MOST_WITHIN: u32 = 40;
@@ -36,8 +39,8 @@ enum State {
     Done(Option<TypeId>),
 }
 
-struct Checker<'a, 't, 'f> {
-    builder: Builder<'t, 'f>,
+pub(crate) struct Checker<'a, 't, 'f> {
+    pub(crate) builder: Builder<'t, 'f>,
     file: &'a File,
     /// Types of the text by their names: which they are.
     types: HashMap<String, usize>,
@@ -51,6 +54,8 @@ struct Checker<'a, 't, 'f> {
     /// Whether the text reads ENO of an instance.
     reads_eno: bool,
     within: u32,
+    /// Of a list: whose way of writing points it has.
+    maker: Option<Maker>,
 }
 
 impl<'a, 't, 'f> Checker<'a, 't, 'f> {
@@ -65,6 +70,7 @@ impl<'a, 't, 'f> Checker<'a, 't, 'f> {
             foreign: HashMap::new(),
             reads_eno: false,
             within: 0,
+            maker: None,
         }
     }
 }
@@ -74,9 +80,7 @@ pub(super) fn check(text: &str, file: &File, board: Board, found: &mut Found) ->
         return None;
     }
     let mut builder = Builder::new(text, Letters::Alike, board, found);
-    builder.is_list = file.is_list;
-    builder.is_wide = file.is_wide;
-    builder.keeps_inputs = !file.is_list;
+    builder.keeps_inputs = true;
     if !board.has_firmware() {
         let moved = adapt_at(text, &file.points, board).moved.into_iter();
         builder.moved = moved.map(|(old, new)| (old, (new, false))).collect();

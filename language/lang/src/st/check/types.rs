@@ -11,11 +11,6 @@ impl Checker<'_, '_, '_> {
     pub(super) fn type_named(&mut self, name: &Name) -> Option<TypeId> {
         let key = self.builder.key(&name.text);
         if let Some(base) = Base::named(&key) {
-            // An UDINT is compared with its sign there.
-            let base = match self.file.is_wide && base == Base::Udint {
-                true => Base::Dint,
-                false => base,
-            };
             return Some(TypeId::of(base));
         }
         if let Some(&at) = self.types.get(&key) {
@@ -33,6 +28,12 @@ impl Checker<'_, '_, '_> {
                     .types
                     .add_kind(Kind::Standard(block), cells),
             );
+        }
+        // The blocks of a list are declared by its own reader.
+        if self.maker.is_some()
+            && let Some(ty) = self.builder.find_type(&key)
+        {
+            return Some(ty);
         }
         if self.is_foreign(name) {
             return None;

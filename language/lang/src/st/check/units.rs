@@ -1,6 +1,6 @@
 //! Units: their variables, in the order in which they need one another.
 
-use super::super::ast::{self, Body, Decl, Name, SpecKind, Vars};
+use super::super::ast::{self, Decl, Name, SpecKind, Vars};
 use super::{Checker, State};
 use crate::diagnostics::Code;
 use crate::typed::build::{Section, Traits, both};
@@ -18,6 +18,13 @@ impl From<ast::Section> for Section {
             ast::Section::External => Section::External,
         }
     }
+}
+
+/// What a section says of its variables.
+pub(crate) struct Of {
+    pub section: Section,
+    pub constant: bool,
+    pub retain: bool,
 }
 
 impl Checker<'_, '_, '_> {
@@ -42,11 +49,6 @@ impl Checker<'_, '_, '_> {
                 self.blocks.entry(key).or_insert(at);
             }
         }
-        for unit in &file.units {
-            if let Body::List(lines) = &unit.body {
-                self.rows(lines);
-            }
-        }
         // Types may be measured by constants, so these come first.
         let (first, then): (Vec<&Vars>, Vec<&Vars>) =
             file.globals.iter().partition(|vars| vars.constant);
@@ -59,7 +61,6 @@ impl Checker<'_, '_, '_> {
         for vars in then {
             self.section(vars);
         }
-        self.declare_blocks();
         for at in 0..file.units.len() {
             if self.units[at].1 == State::Not {
                 self.declare_unit(at);
@@ -96,9 +97,6 @@ impl Checker<'_, '_, '_> {
         for vars in first.into_iter().chain(then) {
             self.section(vars);
         }
-        if let Body::List(lines) = &declaration.body {
-            self.declare_edges(lines, declaration.kind);
-        }
         self.builder.close(unit);
         self.builder.go(before);
         self.within -= 1;
@@ -106,12 +104,17 @@ impl Checker<'_, '_, '_> {
     }
 
     fn section(&mut self, vars: &Vars) {
+        let of = Of {
+            section: Section::from(vars.section),
+            constant: vars.constant,
+            retain: vars.retain,
+        };
         for decl in &vars.decls {
-            self.declare(vars, decl);
+            self.declare(&of, decl);
         }
     }
 
-    fn declare(&mut self, vars: &Vars, decl: &Decl) {
+    pub(super) fn declare(&mut self, of: &Of, decl: &Decl) {
         let Some(ty) = self.spec(&decl.spec) else {
             // What is named of it is not told again.
             for name in &decl.names {
@@ -123,12 +126,11 @@ impl Checker<'_, '_, '_> {
             self.builder.name_values(ty);
         }
         for name in &decl.names {
-            self.declare_one(vars, decl, name, ty);
+            self.declare_one(of, decl, name, ty);
         }
     }
 
-    fn declare_one(&mut self, vars: &Vars, decl: &Decl, name: &Name, ty: TypeId) {
-        let section = Section::from(vars.section);
+    fn declare_one(&mut self, of: &Of, decl: &Decl, name: &Name, ty: TypeId) {
         let mut initial = None;
         if let Some(init) = &decl.initial {
             initial = self.initial(name, init, ty);
@@ -148,7 +150,7 @@ impl Checker<'_, '_, '_> {
             self.builder.tree.types.kind(ty),
             Kind::Standard(_) | Kind::Block(_)
         );
-        if vars.constant && block {
+        if of.constant && block {
             let help = both("declare it with VAR", "declare-o com VAR");
             let what = both(
                 format!("CONSTANT for `{}`", name.text),
@@ -159,14 +161,14 @@ impl Checker<'_, '_, '_> {
         }
         let traits = Traits {
             initial,
-            constant: vars.constant,
-            retain: vars.retain,
+            constant: of.constant,
+            retain: of.retain,
             unseen: false,
             point,
         };
         if self
             .builder
-            .declare(&name.text, name.span, ty, section, traits)
+            .declare(&name.text, name.span, ty, of.section, traits)
             .is_none()
         {
             self.builder.hide(&name.text);
@@ -205,10 +207,7 @@ impl Checker<'_, '_, '_> {
         for at in 0..self.file.units.len() {
             let unit = self.units[at].0;
             self.builder.enter(unit);
-            let body = match &self.file.units[at].body {
-                Body::Statements(statements) => self.statements(statements),
-                Body::List(lines) => self.list(lines),
-            };
+            let body = self.statements(&self.file.units[at].body);
             self.builder.body(unit, body);
             self.builder.leave();
         }

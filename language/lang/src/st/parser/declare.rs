@@ -155,7 +155,7 @@ impl Parser<'_, '_> {
         Ok(Some(self.named(token.span)))
     }
 
-    fn declaration(&mut self) -> Parsed<Decl> {
+    pub(in super::super) fn declaration(&mut self) -> Parsed<Decl> {
         // `INT x;`
         let (first, second) = (self.token(), self.ahead(1));
         if first.kind == Kind::Word

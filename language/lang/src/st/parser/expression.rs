@@ -34,7 +34,7 @@ fn operator(kind: Kind, keyword: Keyword) -> Option<(Op, u32)> {
 pub(super) const UNARY: u32 = 8;
 
 impl Parser<'_, '_> {
-    pub(super) fn expression(&mut self) -> Parsed<Node> {
+    pub(in super::super) fn expression(&mut self) -> Parsed<Node> {
         self.binding(1)
     }
 

@@ -4,7 +4,6 @@
 //! - `declare`, `types`, `initial`: variables, their types, and what they begin with
 //! - `statement`, `compound` (loops), `choice`: statements; `recover`: what is done after one that is wrong
 //! - `enable`: EN and ENO of a call
-//! - `list`: the lines of Instruction List
 //! - `expression`, `operand`, `path`: the rest
 //!
 //! It tells what is not written as the grammar has it, once for each place, and goes on after the statement.
@@ -16,7 +15,6 @@ mod dialect;
 mod enable;
 mod expression;
 mod initial;
-mod list;
 mod operand;
 mod path;
 mod recover;
@@ -41,7 +39,7 @@ const MOST_HIGH: u32 = 300;
 pub(super) fn parse(text: &str, dialect: Dialect, found: &mut Found) -> (File, bool) {
     let mut parser = Parser::new(text, dialect, found);
     let file = parser.file();
-    let trusted = !parser.wrong_declarations && !parser.dead;
+    let trusted = parser.is_right();
     (file, trusted)
 }
 
@@ -60,15 +58,13 @@ pub(super) fn expression(text: &str, found: &mut Found) -> Option<Node> {
     (!parser.dead).then_some(node)
 }
 
-struct Parser<'t, 'f> {
+pub(super) struct Parser<'t, 'f> {
     text: &'t str,
     tokens: Vec<Token>,
     keywords: Vec<Keyword>,
     at: usize,
-    /// Units do what Instruction List says.
+    /// It reads a piece of Instruction List.
     list: bool,
-    /// A variable is called N, as the modifier of Instruction List is.
-    declares_n: bool,
     /// A unit declares a parameter EN or ENO of its own.
     declares_en: bool,
     /// The units above with code for another machine, in capitals.
@@ -92,14 +88,30 @@ struct Parser<'t, 'f> {
 
 /// What was not there has been told.
 #[derive(Debug)]
-struct Told;
+pub(super) struct Told;
 
-type Parsed<T> = Result<T, Told>;
+pub(super) type Parsed<T> = Result<T, Told>;
 
 impl<'t, 'f> Parser<'t, 'f> {
     /// At the first word of a text.
     fn new(text: &'t str, dialect: Dialect, found: &'f mut Found) -> Parser<'t, 'f> {
-        let tokens = tokens(text, dialect, found);
+        let tokens = tokens(text, 0, dialect, found);
+        Parser::of(text, tokens, dialect, found)
+    }
+
+    /// At the first word of a piece of a list.
+    pub(super) fn of_piece(text: &'t str, piece: Span, found: &'f mut Found) -> Parser<'t, 'f> {
+        let text = text.get(..piece.end as usize).unwrap_or_default();
+        let tokens = tokens(text, piece.start as usize, Dialect::Il, found);
+        Parser::of(text, tokens, Dialect::Il, found)
+    }
+
+    fn of(
+        text: &'t str,
+        tokens: Vec<Token>,
+        dialect: Dialect,
+        found: &'f mut Found,
+    ) -> Parser<'t, 'f> {
         let keyword = |token: &Token| match (token.kind, token.meant) {
             (Kind::Word, Some(meant)) => Keyword::of(meant),
             (Kind::Word, None) => {
@@ -125,7 +137,6 @@ impl<'t, 'f> Parser<'t, 'f> {
                 is_named && (declares || next.eq_ignore_ascii_case("AT"))
             })
         };
-        let declares_n = declares("N");
         let declares_en = declares("EN") || declares("ENO");
         // A comment, or code for another machine, that swallows the rest is the one mistake.
         let open = [Code::StCommentOpen, Code::StNotClosed];
@@ -136,7 +147,6 @@ impl<'t, 'f> Parser<'t, 'f> {
             keywords,
             at: 0,
             list: dialect == Dialect::Il,
-            declares_n,
             declares_en,
             foreign: HashSet::new(),
             open: 0,
@@ -152,6 +162,16 @@ impl<'t, 'f> Parser<'t, 'f> {
 }
 
 impl Parser<'_, '_> {
+    /// Whether what has been read can be trusted.
+    pub(super) fn is_right(&self) -> bool {
+        !self.wrong_declarations && !self.dead
+    }
+
+    /// The byte after the last word.
+    pub(super) fn end(&self) -> u32 {
+        self.behind().end
+    }
+
     fn token(&self) -> Token {
         self.ahead(0)
     }

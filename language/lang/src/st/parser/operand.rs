@@ -18,7 +18,7 @@ const OPERAND_HELP: (&str, &str) = (
 );
 
 impl Parser<'_, '_> {
-    pub(super) fn operand(&mut self) -> Parsed<Node> {
+    pub(in super::super) fn operand(&mut self) -> Parsed<Node> {
         let token = self.token();
         let leaf = |kind, span| Node {
             kind,

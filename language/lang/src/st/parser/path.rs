@@ -7,7 +7,7 @@ use super::{MOST_HIGH, Parsed, Parser};
 use crate::diagnostics::{Span, Word};
 
 impl Path {
-    pub(super) fn height(&self) -> u32 {
+    pub(in super::super) fn height(&self) -> u32 {
         let nodes = self.parts.iter().map(|part| match part {
             Part::Member(_) | Part::Bit(_) => 1,
             Part::Subscripts(nodes, _) => nodes.iter().map(|node| node.height).max().unwrap_or(0),
@@ -18,7 +18,7 @@ impl Path {
 
 impl Parser<'_, '_> {
     /// A name with its members and subscripts.
-    pub(super) fn path(&mut self) -> Parsed<Path> {
+    pub(in super::super) fn path(&mut self) -> Parsed<Path> {
         let token = self.token();
         if token.kind == Kind::Address {
             self.next();

@@ -184,7 +184,7 @@ impl Parser<'_, '_> {
     }
 
     /// TYPE … END_TYPE
-    pub(super) fn types(&mut self, all: &mut Vec<TypeDecl>) {
+    pub(in super::super) fn types(&mut self, all: &mut Vec<TypeDecl>) {
         let start = self.next().span;
         loop {
             while self.accept(Kind::Semicolon) {}

@@ -1,7 +1,6 @@
 //! Programs, functions and blocks, and what stands around them.
 
-use super::super::ast::{Body, File, Name, Section, SpecKind, TypeSpec, UnitDecl};
-use super::super::kinds::has_types;
+use super::super::ast::{File, Name, Section, SpecKind, TypeSpec, UnitDecl};
 use super::super::token::{Kind, Token};
 use super::super::words::{Keyword, meant};
 use super::{Parsed, Parser, Told};
@@ -12,8 +11,6 @@ use std::ops::Range;
 impl Parser<'_, '_> {
     pub(super) fn file(&mut self) -> File {
         let mut file = File {
-            is_list: self.list,
-            is_wide: self.list && !has_types(self.text),
             points: self.points(),
             ..File::default()
         };
@@ -85,8 +82,7 @@ impl Parser<'_, '_> {
     /// A program without PROGRAM: variables and statements. After another unit they stand outside.
     fn bare(&mut self, file: &mut File) {
         let start = self.token().span;
-        let programs = || file.units.iter().any(|unit| unit.kind == UnitKind::Program);
-        if !file.units.is_empty() && (!self.list || programs()) {
+        if !file.units.is_empty() {
             let written = self.short(start);
             self.tell(Code::StOutside, start, [written.into()]);
             while !self.is(Kind::End) && !self.keyword().begins_unit() {
@@ -332,10 +328,7 @@ impl Parser<'_, '_> {
                 break;
             }
         }
-        let body = match self.list {
-            true => Body::List(self.list_body(&mut vars, &mut file.globals)),
-            false => Body::Statements(self.statements()),
-        };
+        let body = self.statements();
         UnitDecl {
             kind,
             name,

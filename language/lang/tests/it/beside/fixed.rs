@@ -7,7 +7,7 @@ use unoclp_lang::run::{Machine, Stop};
 use unoclp_lang::typed::{
     Base, Binary, Cell, Codes, Expr, ExprKind, Stmt, StmtKind, Tree, Unit, UnitKind, Value,
 };
-use unoclp_lang::{Lines, Options, compile_untyped};
+use unoclp_lang::{Lines, Options, compile};
 use unoclp_point::Address;
 
 /// I1, I2, Q1 and a bit of the program's own, and a register.
@@ -55,7 +55,7 @@ fn codes(before: Option<Expr>, codes: &[i32], behind: Option<u32>) -> Stmt {
 }
 
 fn is_as_older(text: &str, tree: &Tree) {
-    let older = compile_untyped(text, &Options::on(LARGE));
+    let older = compile(text, &Options::on(LARGE));
     let made = compiled_of(text, tree);
     let numbers = |lines: &[unoclp_lang::CodeLine]| -> Vec<i32> {
         lines.iter().map(|line| line.code).collect()

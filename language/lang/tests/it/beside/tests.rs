@@ -6,7 +6,7 @@ use unoclp_codegen::{CompiledText, Written, compile_tree};
 use unoclp_core::{Board, Image, Inputs, Plc};
 use unoclp_lang::run::Machine;
 use unoclp_lang::typed::{Tree, Value};
-use unoclp_lang::{Options, compile_untyped};
+use unoclp_lang::{Options, compile};
 use unoclp_lang::{Severity, Told};
 use unoclp_testing::{Random, rounds};
 use unoclp_text::diagnostics::Found;
@@ -64,7 +64,7 @@ fn compared(seed: u64) -> Result<(u16, u16), String> {
     }
     writer.above();
     let (text, tree) = writer.finish();
-    let older = compile_untyped(&text, &Options::on(LARGE));
+    let older = compile(&text, &Options::on(LARGE));
     let made = compiled_of("", &tree);
     let told = |told: &Told| {
         let errors = told.iter().filter(|d| d.severity() == Severity::Error);
