@@ -2,7 +2,7 @@
 //!
 //! A front end reads its text into a syntax tree of its own and then tells a [`Builder`] what stands there, in this
 //! order. Each step tells what is wrong in it, once, in the words that all languages share; what came of something
-//! wrong is a [`ExprKind::Wrong`], of which nothing more is told.
+//! wrong is a [`ExprKind::Wrong`](crate::ExprKind::Wrong), of which nothing more is told.
 //!
 //! 1. **Types**, if the language derives any: `builder.tree.types.add(…)`, then [`Builder::name_type`].
 //! 2. **Units**: [`Builder::unit`] makes one and [`Builder::enter`] goes into it. [`Builder::declare`] declares a
