@@ -4,7 +4,7 @@
 
 use crate::TextLanguage;
 use crate::colour::Colour;
-use crate::colours::colours;
+use crate::languages::colours;
 use crate::moved::{Adapted, adapt_at};
 use std::ops::Range;
 use unoclp_core::Board;

@@ -1,20 +1,14 @@
-//! The colours of a text, as the lexer of its own language reads it.
+//! The colours of a text in Instruction List.
 //!
-//! Owns which lexer reads which language, and where Instruction List has its operators. Must not know colours.
+//! Owns where Instruction List has its operators. Must not know colours.
 
-use crate::TextLanguage;
 use crate::colour::{Colour, is_point, painted};
 use crate::diagnostics::{Found, Span};
 use crate::lexer::{self, Kind, SECTIONS};
 use crate::operators;
 use crate::st;
 
-/// The coloured parts of a text in this language, in the order of their places; the rest is names and signs.
-pub fn colours(text: &str, language: TextLanguage) -> Vec<(Span, Colour)> {
-    painted(text, language.words(text))
-}
-
-/// The same for Instruction List, with types or without, and without what the other languages take.
+/// The coloured parts of a text in Instruction List, with types or without, in the order of their places.
 pub fn colours_of_list(text: &str) -> Vec<(Span, Colour)> {
     painted(text, words_of_list(text))
 }

@@ -1,11 +1,13 @@
 //! The registry of typed languages, and the way of a text in one of them to its typed tree.
 
-use crate::diagnostics::{Found, Lang, Told};
-use crate::{colours, il, iscl, lce, st};
+use crate::colour::{Colour, painted};
+use crate::colours::words_of_list;
+use crate::diagnostics::{Found, Lang, Span, Told};
+use crate::{il, iscl, lce, st};
 use std::fmt;
 use std::sync::RwLock;
 use unoclp_core::Board;
-use unoclp_tree::{FrontEnd, Painted, Tree};
+use unoclp_tree::{FrontEnd, Tree};
 
 /// A typed language: a row of the registry, compared by its name.
 #[derive(Clone, Copy)]
@@ -67,7 +69,7 @@ impl TextLanguage {
         name: "il",
         title: ["Instruction List", "Lista de Instruções"],
         begins: weighed,
-        colours: colours::words_of_list,
+        colours: words_of_list,
         tree: |text, board, found| il::read(text, None, board, found).tree,
     });
 
@@ -115,11 +117,6 @@ impl TextLanguage {
         let mut all = TextLanguage::all().into_iter();
         all.find(|language| language.name() == name)
     }
-
-    /// The words of a text, and what each is.
-    pub(crate) fn words(self, text: &str) -> Painted {
-        (self.0.colours)(text)
-    }
 }
 
 /// Ours are told apart by their first words all at once, by whoever has files; see `unoclp-program`.
@@ -139,6 +136,11 @@ impl fmt::Debug for TextLanguage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
+}
+
+/// The coloured parts of a text in this language, in the order of their places; the rest is names and signs.
+pub fn colours(text: &str, language: TextLanguage) -> Vec<(Span, Colour)> {
+    painted(text, (language.0.colours)(text))
 }
 
 /// What has come of a text.

@@ -44,13 +44,13 @@ use unoclp_text::{colour, comments, diagnostics, dialect, literal, points, scann
 pub use adapt::{adapt, written_points};
 pub use back::{instructions_to_il, spelled, to_il};
 pub use colour::Colour;
-pub use colours::{colours, colours_of_list};
+pub use colours::colours_of_list;
 pub use compile::{Compiled, Options, compile, compile_text};
 pub use condition::{Condition, Judge, condition, is_name};
 pub use declared::{Declared, DeclaredPoint, declared};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};
 pub use dialect::Dialect;
-pub use languages::{CheckedText, TextLanguage, check, register};
+pub use languages::{CheckedText, TextLanguage, check, colours, register};
 pub use literal::duration;
 pub use moved::{Adapted, adapt_at};
 pub use operators::is_operator;

@@ -171,7 +171,7 @@ mod tests {
             assert_eq!(format!("{again:?}"), format!("{source:?}"));
         }
         assert!(known(&format!("{TEXT} ")).is_none());
-        let open = |text: &str| Written::new("a.il".to_owned(), text.into(), Board::UNO);
+        let open = |text: &str| Written::new("a.il".to_owned(), text.into(), Board::ALL[0]);
         assert!(
             First
                 .check(open(TEXT))
