@@ -95,8 +95,8 @@ fn what_is_wrong_is_told_at_its_place() {
         let (text, wanted) = case
             .split_once("\n----\n")
             .expect("a text and what is told");
-        let told = compile_text(text, when(), Board::UNO).diagnostics;
-        let told: Vec<String> = told
+        let found = compile_text(text, when(), Board::UNO).diagnostics;
+        let told: Vec<String> = found
             .iter()
             .map(|d| {
                 format!(
@@ -109,12 +109,7 @@ fn what_is_wrong_is_told_at_its_place() {
             })
             .collect();
         assert_eq!(told.join("\n"), wanted.trim_end(), "{text}");
-        let portuguese = compile_text(text, when(), Board::UNO).diagnostics;
-        assert!(
-            portuguese
-                .iter()
-                .all(|d| !d.message(Lang::Pt).contains('{'))
-        );
+        assert!(found.iter().all(|d| !d.message(Lang::Pt).contains('{')));
     }
 }
 

@@ -71,6 +71,11 @@ pub(crate) struct Wire<'a> {
 }
 
 impl<'a, 'x: 'a> Network<'a, 'x> {
+    /// Where an element comes among the others, from top to bottom and from left to right.
+    pub(crate) fn turn(&self, at: usize) -> ((i64, i64), usize) {
+        (self.elements[at].place, at)
+    }
+
     /// The elements of a body; wires that come from nowhere are told.
     pub(crate) fn read(pou: &str, body: Node<'a, 'x>, found: &mut Found) -> Network<'a, 'x> {
         let mut network = Network {

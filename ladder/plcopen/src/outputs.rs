@@ -224,16 +224,15 @@ pub(crate) fn sinks(
         }
     }
     let parts = |at: &usize| matches!(network.elements[*at].kind, "label" | "jump" | "return");
-    let place = |at: usize| (network.elements[at].place, at);
     let mut parting: Vec<_> = (0..network.elements.len())
         .filter(parts)
-        .map(place)
+        .map(|at| network.turn(at))
         .collect();
     parting.sort_unstable();
     sinks.sort_by_cached_key(|&at| {
-        let part = parting.partition_point(|parting| *parting < place(at));
+        let part = parting.partition_point(|parting| *parting < network.turn(at));
         let order = order(network, at).unwrap_or(u32::MAX);
-        (part, parts(&at), order, place(at))
+        (part, parts(&at), order, network.turn(at))
     });
     sinks
 }

@@ -20,9 +20,8 @@ static MORE: RwLock<Vec<TextLanguage>> = RwLock::new(Vec::new());
 /// with a name that is taken is left out.
 pub fn register(front: &'static FrontEnd) {
     let language = TextLanguage(front);
-    let is_taken = TextLanguage::named(front.name).is_some();
     let mut more = MORE.write().unwrap_or_else(|error| error.into_inner());
-    if !is_taken {
+    if !TextLanguage::OURS.contains(&language) && !more.contains(&language) {
         more.push(language);
     }
 }

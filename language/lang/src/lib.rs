@@ -1,7 +1,7 @@
 //! The languages: Instruction List to the numeric code and back, the typed languages to the typed tree.
 //!
 //! The way of a text in Instruction List through this crate: `lexer` (bytes → words), `parser` (words → syntax
-//! tree), `names` and `points` (what names mean), `il` (what each line does on the machine of `list`, from whose run on
+//! tree), `names` (what names mean), `il` (what each line does on the machine of `list`, from whose run on
 //! expressions the typed tree is made). [`to_il`] and [`to_st()`] go the other way.
 //!
 //! The way of a text in a typed language ([`check`]): `st` (Structured Text), `iscl` (InterSCL) and `lce` (LCE), the last

@@ -2,7 +2,7 @@
 
 use crate::alarm::Alarm;
 use crate::change::Change;
-use crate::command::{Refusal, Wish};
+use crate::command::{Refusal, WAITING, Wish};
 use std::time::Duration;
 use unoclp_journal::Entry;
 
@@ -30,6 +30,32 @@ pub(crate) enum Out {
     Carry(Wish),
     /// This connection ends, and another begins.
     Leave,
+}
+
+/// How many wishes are not done yet.
+#[derive(Debug, Default)]
+pub(crate) struct UnderWay(usize);
+
+impl UnderWay {
+    /// What has a wish carried out, unless too many wait.
+    pub fn carry(&mut self, wish: Wish) -> Result<Out, Refusal> {
+        if self.0 >= WAITING {
+            return Err(Refusal::TooMany);
+        }
+        self.0 += 1;
+        Ok(Out::Carry(wish))
+    }
+
+    /// One is done.
+    pub fn done(&mut self) {
+        self.0 = self.0.saturating_sub(1);
+    }
+
+    /// Those of what is left out will not be done.
+    pub fn left_out<'o>(&mut self, out: impl Iterator<Item = &'o Out>) {
+        let count = out.filter(|out| matches!(out, Out::Carry(_))).count();
+        self.0 = self.0.saturating_sub(count);
+    }
 }
 
 /// When something happens.

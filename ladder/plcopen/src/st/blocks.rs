@@ -34,13 +34,12 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let name = self.network.elements[at].node.attribute("instanceName");
         let key = name.unwrap_or_default().to_uppercase();
         let network = self.network;
-        let place = |at: usize| (network.elements[at].place, at);
         loop {
             let Some(calls) = self.instances.get_mut(&key) else {
                 return;
             };
             let next = calls.all.get(calls.made).copied();
-            let Some(next) = next.filter(|next| place(*next) < place(at)) else {
+            let Some(next) = next.filter(|next| network.turn(*next) < network.turn(at)) else {
                 return;
             };
             calls.made += 1;

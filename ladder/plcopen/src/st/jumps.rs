@@ -13,9 +13,8 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     /// Passes the labels above an element, or all of them: nothing jumps there any longer.
     pub(super) fn pass_labels(&mut self, before: Option<usize>) {
         let network = self.network;
-        let place = |at: usize| (network.elements[at].place, at);
         while let Some(&label) = self.labels.last() {
-            if before.is_some_and(|before| place(before) < place(label)) {
+            if before.is_some_and(|before| network.turn(before) < network.turn(label)) {
                 return;
             }
             self.labels.pop();

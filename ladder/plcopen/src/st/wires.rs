@@ -112,9 +112,7 @@ pub(super) fn instances(network: &Network<'_, '_>) -> HashMap<String, Calls> {
         }
     }
     for calls in instances.values_mut() {
-        calls
-            .all
-            .sort_by_key(|at| (network.elements[*at].place, *at));
+        calls.all.sort_by_key(|at| network.turn(*at));
     }
     instances
 }
@@ -123,7 +121,7 @@ pub(super) fn instances(network: &Network<'_, '_>) -> HashMap<String, Calls> {
 pub(super) fn labels(network: &Network<'_, '_>) -> Vec<usize> {
     let mut labels: Vec<usize> = (0..network.elements.len()).collect();
     labels.retain(|at| network.elements[*at].kind == "label");
-    labels.sort_by_key(|at| (network.elements[*at].place, *at));
+    labels.sort_by_key(|at| network.turn(*at));
     let mut named = HashSet::new();
     labels.retain(|at| named.insert(network.elements[*at].node.attribute("label")));
     labels.reverse();

@@ -34,7 +34,6 @@ impl Builder<'_, '_> {
         }
     }
 
-    #[allow(dead_code, reason = "a front end of Instruction List orders so")]
     /// What is done to a timer or a counter beside its call; none of what is neither, which the front end tells, and where a
     /// value is wrong.
     pub fn order(&mut self, target: Target, order: Order, at: Span) -> Option<Stmt> {
@@ -54,7 +53,6 @@ impl Builder<'_, '_> {
         Some(Stmt { kind, at })
     }
 
-    #[allow(dead_code, reason = "see `order`")]
     /// A value as a part of a block holds it.
     fn as_part(&mut self, value: Expr, block: Standard, part: u32) -> Option<Expr> {
         let (_, base, _) = block.parts().get(part as usize)?;

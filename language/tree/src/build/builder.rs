@@ -286,7 +286,6 @@ impl<'t, 'f> Builder<'t, 'f> {
         unit.map(|draft| draft.unit.kind)
     }
 
-    #[allow(dead_code, reason = "a front end of Instruction List asks for it")]
     /// Asks for the numbers of labels: of each the statement before which it stands, and its number.
     pub fn wish_labels(&mut self, unit: u32, wished: Vec<(u32, u8)>) {
         if let Some(draft) = self.drafts.get_mut(unit as usize) {

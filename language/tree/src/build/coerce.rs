@@ -139,8 +139,6 @@ impl Builder<'_, '_> {
 
     /// Converts in a way that the language has for it, where [`Builder::explicit`] would take another: LCE cuts the
     /// fraction of a real, and keeps the bits that fit.
-    // LCE's alone.
-    #[allow(dead_code)]
     pub fn convert(&mut self, expr: Expr, how: Convert, to: Base, at: Span) -> Expr {
         let expr = self.settled(expr);
         Expr {

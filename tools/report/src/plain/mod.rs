@@ -13,8 +13,8 @@ mod topics;
 use crate::alarm::Alarm;
 use crate::boards::{Board, Boards, News, Sample};
 use crate::change::Change;
-use crate::command::{Refusal, Rights, WAITING, Wish, value};
-use crate::session::{Message, Now, Out, Session};
+use crate::command::{Refusal, Rights, Wish, value};
+use crate::session::{Message, Now, Out, Session, UnderWay};
 use home::Home;
 use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;
@@ -48,8 +48,7 @@ pub(crate) struct Plain {
     read: u64,
     /// All values are to be told again, once all of the journal is told.
     is_due: bool,
-    /// Wishes that are not done yet.
-    under_way: usize,
+    under_way: UnderWay,
     /// The alarms of the site, each once somebody has said how it stands.
     alarms: BTreeMap<String, Option<Alarm>>,
 }
@@ -69,7 +68,7 @@ impl Plain {
             samples: VecDeque::new(),
             read,
             is_due: false,
-            under_way: 0,
+            under_way: UnderWay::default(),
             alarms: site
                 .alarms
                 .iter()
@@ -218,11 +217,7 @@ impl Plain {
     }
 
     fn carry(&mut self, wish: Wish) -> Result<(), Refusal> {
-        if self.under_way >= WAITING {
-            return Err(Refusal::TooMany);
-        }
-        self.under_way += 1;
-        self.urgent.push_back(Out::Carry(wish));
+        self.urgent.push_back(self.under_way.carry(wish)?);
         Ok(())
     }
 }
@@ -255,9 +250,7 @@ impl Session for Plain {
 
     fn lost(&mut self, unsure: Vec<Message>) {
         self.is_connected = false;
-        let under_way = self.urgent.iter();
-        let dropped = under_way.filter(|out| matches!(out, Out::Carry(_))).count();
-        self.under_way = self.under_way.saturating_sub(dropped);
+        self.under_way.left_out(self.urgent.iter());
         self.urgent.clear();
         // What tells of no entry is said again by the next connection.
         let of_entry = |message: &Message| message.number.is_some();
@@ -346,7 +339,7 @@ impl Session for Plain {
     }
 
     fn done(&mut self, wish: &Wish, outcome: Result<(), Refusal>, _: Now) {
-        self.under_way = self.under_way.saturating_sub(1);
+        self.under_way.done();
         match (wish, outcome) {
             (_, Ok(())) => {}
             (Wish::Set(command), Err(refusal)) => {

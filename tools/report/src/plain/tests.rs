@@ -1,4 +1,5 @@
 use super::*;
+use crate::command::WAITING;
 use crate::session::Now;
 use unoclp_site::Files;
 

@@ -18,8 +18,8 @@ use crate::alarm::Alarm;
 use crate::backlog::{Backlog, MOST};
 use crate::boards::{Boards, News};
 use crate::change::Change;
-use crate::command::{Refusal, Rights, WAITING, Wish};
-use crate::session::{Message, Now, Out, Session};
+use crate::command::{Refusal, Rights, Wish};
+use crate::session::{Message, Now, Out, Session, UnderWay};
 use alarms::Alarms;
 use host::{Host, Turn};
 use payload::{Held, Metric, Payload, datatype, time};
@@ -74,8 +74,7 @@ pub(crate) struct Node {
     past: Backlog<Past>,
     /// Entries of the journal that nobody has heard of before this gateway began: after the first of these, up to the other.
     unheard: Option<(u64, u64)>,
-    /// Wishes that are not done yet.
-    under_way: usize,
+    under_way: UnderWay,
 }
 
 impl Node {
@@ -96,7 +95,7 @@ impl Node {
             out: VecDeque::new(),
             past: Backlog::new(MOST),
             unheard: Some(unheard).filter(|(after, last)| after < last),
-            under_way: 0,
+            under_way: UnderWay::default(),
         }
     }
 
@@ -244,11 +243,7 @@ impl Node {
     }
 
     fn carry(&mut self, wish: Wish) -> Result<(), Refusal> {
-        if self.under_way >= WAITING {
-            return Err(Refusal::TooMany);
-        }
-        self.under_way += 1;
-        self.out.push_back(Out::Carry(wish));
+        self.out.push_back(self.under_way.carry(wish)?);
         Ok(())
     }
 
@@ -289,9 +284,7 @@ impl Session for Node {
         self.is_connected = false;
         self.is_born = false;
         self.born.clear();
-        let waiting = self.out.iter();
-        let dropped = waiting.filter(|out| matches!(out, Out::Carry(_))).count();
-        self.under_way = self.under_way.saturating_sub(dropped);
+        self.under_way.left_out(self.out.iter());
         self.host.forget();
         self.out.clear();
     }
@@ -421,7 +414,7 @@ impl Session for Node {
     }
 
     fn done(&mut self, wish: &Wish, outcome: Result<(), Refusal>, now: Now) {
-        self.under_way = self.under_way.saturating_sub(1);
+        self.under_way.done();
         match (wish, outcome) {
             (_, Ok(())) => {}
             (Wish::Set(command), Err(_)) => self.tell(&command.board, &command.grant.point, now),

@@ -258,6 +258,7 @@ impl Checker<'_, '_, '_> {
         let kind = StmtKind::For(head);
         all.push(Stmt { kind, at });
     }
+
     /// The body of a loop; whether its turns pick instances of blocks, and then the body of each.
     fn turns(
         &mut self,

@@ -1,4 +1,4 @@
-//! Trees of what only Instruction List says, on the core, in the interpreter, and as the older compiler writes the same
+//! Trees of what only Instruction List says, on the core, in the interpreter, and as the compiler writes the same
 //! text.
 
 mod fixed;

@@ -1,4 +1,4 @@
-//! Random programs of what the board's counters and timers do beside their calls, each as a text for the older compiler
+//! Random programs of what the board's counters and timers do beside their calls, each as a text in Instruction List
 //! and as a tree.
 
 use unoclp_lang::Span;
