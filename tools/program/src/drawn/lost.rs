@@ -40,7 +40,7 @@ impl Lost {
         (lost != Lost::default()).then_some(lost)
     }
 
-    /// `a change here rewrites this text and loses 2 comments, such as “pump of the well”`
+    /// `A change in the drawing rewrites this text and loses: 2 lines of comments, such as “pump of the well”`
     pub fn text(&self, lang: Lang) -> String {
         let types = self.types.then(|| words::lost_types(lang));
         let dialect = self
