@@ -24,8 +24,8 @@ unoclp_words::messages! {
         "{file} is not Instruction List, Structured Text or PLCopen XML: only there are points written as %QX1.3"
         "{file} não é Lista de Instruções, Texto Estruturado nem PLCopen XML: só neles os pontos se escrevem como %QX1.3";
     can_be_adapted(file, points, board)
-        "unoclp adapt {file} -o COPY writes a copy in which {points} are free points of the {board}"
-        "unoclp adapt {file} -o COPIA escreve uma cópia em que {points} são pontos livres do {board}";
+        "unoclp adapt {file} -o COPY writes a copy that gives {points} free points of the {board}"
+        "unoclp adapt {file} -o COPIA escreve uma cópia que dá a {points} pontos livres do {board}";
     nothing_to_adapt(board)
         "the {board} has all points of this text; there is no copy"
         "o {board} tem todos os pontos deste texto; não há cópia";
