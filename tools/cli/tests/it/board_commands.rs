@@ -188,7 +188,7 @@ fn a_program_with_a_fault_does_not_reach_the_board() {
 
 #[test]
 fn a_card_with_another_program_has_the_last_word() {
-    let program = file("card.txt", FOLLOW);
+    let program = file("board-card.txt", FOLLOW);
     let fake = Fake::new(Board {
         card: Some(b"0\n877901\n".to_vec()),
         ..Board::in_state(FAULT)
