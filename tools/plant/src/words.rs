@@ -73,8 +73,8 @@ unoclp_words::messages! {
         "`{key}` is after the end, at {until}; make `until` longer"
         "`{key}` vem depois do fim, em {until}; aumente `until`";
     nothing() "nothing" "nada";
-    required() "must be given" "obrigatório";
-    left_out() "may be left out" "opcional";
+    required() "required" "obrigatório";
+    left_out() "optional" "opcional";
     the_kinds() "Kinds of parts" "Tipos de elementos";
     fields() "given" "recebe";
     values() "has" "tem";
@@ -95,7 +95,7 @@ unoclp_words::messages! {
     takes_part(kinds) "a part: {kinds}" "um elemento: {kinds}";
     takes_value() "a value of a part" "um valor de um elemento";
     from_to(from, to) "{from} to {to}" "{from} a {to}";
-    usual(value) "{value} if not given" "{value} se não for dado";
+    usual(value) "default {value}" "padrão {value}";
     never(what) "Never: {what}" "Nunca: {what}";
     longer_than(said, time) "{said}, for longer than {time}" "{said}, por mais de {time}";
     from_then_on(said, time) "{said}, from {time} on" "{said}, a partir de {time}";

@@ -10,9 +10,9 @@ const SHORT: i32 = 900_000;
 pub(crate) mod fuse {
     use super::*;
     kind! {
-        "fuse" Electric "A fuse: it blows at a short circuit, and after a while at too much current" "Um fusível: queima em um curto-circuito, e com o tempo se a corrente é alta demais"
+        "fuse" Electric "A fuse: it blows at once in a short circuit, and after a while under an overload" "Um fusível: queima em um curto-circuito, e com o tempo se a corrente é alta demais"
         [60, 80];
-        fields { rated: Form::Number(Unit::Ma, 100, 100_000, 10_000), "the current that it bears for ever" "a corrente que ele suporta sempre"; }
+        fields { rated: Form::Number(Unit::Ma, 100, 100_000, 10_000), "the current it can carry continuously" "a corrente que ele suporta continuamente"; }
         values {
             blown: DAMAGE, "whether it has blown" "se queimou";
             current: number(Unit::Ma, 0, 1_000_000), "the current through it" "a corrente nele";
@@ -77,10 +77,10 @@ pub(crate) mod contactor {
 pub(crate) mod overload {
     use super::*;
     kind! {
-        "overload" Electric "A thermal overload relay: it trips when a motor takes too much for a while" "Um relé térmico: desarma quando um motor puxa demais por um tempo"
+        "overload" Electric "A thermal overload relay: it trips when a motor draws too much current for a while" "Um relé térmico: desarma quando um motor puxa demais por um tempo"
         [80, 80];
         fields {
-            rated: Form::Number(Unit::Ma, 100, 100_000, 4000), "the current that it bears for ever" "a corrente que ele suporta sempre";
+            rated: Form::Number(Unit::Ma, 100, 100_000, 4000), "the current it can carry continuously" "a corrente que ele suporta continuamente";
             contact: Form::Sense, "the input of its contact, usually normally closed" "a entrada do contato, em geral normalmente fechado";
         }
         values {
@@ -129,8 +129,8 @@ pub(crate) mod motor {
             overload: Form::MayPart(&["overload"]), "the overload relay before it" "o relé térmico antes dele";
             rated: Form::Number(Unit::Ma, 100, 50_000, 4000), "its current at full speed" "a corrente dele em rotação plena";
             full: Form::Number(Unit::Rpm, 100, 3600, 1740), "its full speed" "a rotação plena";
-            run_up: Form::Number(Unit::Ms, 50, 60_000, 1500), "how long it takes to full speed" "quanto demora até a rotação plena";
-            run_down: Form::Number(Unit::Ms, 50, 60_000, 3000), "how long it takes to stand" "quanto demora até parar";
+            run_up: Form::Number(Unit::Ms, 50, 60_000, 1500), "how long it takes to reach full speed" "quanto demora até a rotação plena";
+            run_down: Form::Number(Unit::Ms, 50, 60_000, 3000), "how long it takes to stop" "quanto demora até parar";
         }
         values {
             runs: FLAG, "whether it turns at nine tenths of its speed or more" "se gira com nove décimos da rotação ou mais";

@@ -130,7 +130,7 @@ pub(crate) mod pump {
             from: Form::Part(TANKS), "the tank that it empties" "o tanque que ela esvazia";
             to: Form::MayPart(TANKS), "the tank that it fills" "o tanque que ela enche";
             flow: Form::Number(Unit::MlPerS, 1, 100_000, 1000), "what it moves at full speed" "o que move em rotação plena";
-            bears: Form::Number(Unit::Ms, 100, 60_000, 3000), "how long it bears to run dry" "quanto tempo suporta rodar a seco";
+            bears: Form::Number(Unit::Ms, 100, 60_000, 3000), "how long it may run dry" "quanto tempo suporta rodar a seco";
         }
         values {
             runs: FLAG, "whether it runs" "se está ligada";
@@ -215,7 +215,7 @@ pub(crate) mod float {
         [90, 30];
         fields {
             of: Form::Part(TANKS), "its tank" "o tanque dela";
-            height: Form::Number(Unit::Permille, 0, 1000, 500), "where it hangs" "onde fica";
+            height: Form::Number(Unit::Permille, 0, 1000, 500), "its height in the tank" "onde fica";
             to: Form::Sense, "the input that it switches" "a entrada que ela aciona";
         }
         values { up: FLAG, "whether the level stands above it" "se o nível está acima dela"; }

@@ -20,14 +20,14 @@ pub(crate) mod cylinder {
         fields {
             extend: Form::Drive, "the coil that extends it" "a bobina que o avança";
             retract: Form::MayDrive, "the coil that retracts it" "a bobina que o recua";
-            takes: Form::Number(Unit::Ms, 50, 60_000, 800), "how long the whole way takes" "quanto demora o curso todo";
+            takes: Form::Number(Unit::Ms, 50, 60_000, 800), "how long the full stroke takes" "quanto demora o curso todo";
             is_in: Form::Sense, "the input of the switch at its inner end" "a entrada do fim de curso recuado";
             is_out: Form::Sense, "the input of the switch at its outer end" "a entrada do fim de curso avançado";
         }
         values {
             position: SHARE, "how far it is out" "quanto está avançado";
-            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is all in" "se está todo recuado";
-            out: FLAG, "whether it is all out" "se está todo avançado";
+            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully in" "se está todo recuado";
+            out: FLAG, "whether it is fully out" "se está todo avançado";
             moves: FLAG, "whether it moves" "se está em movimento";
             hand_in: HAND, "whether somebody has a hand in its way" "se alguém tem a mão no caminho";
             hurt: DAMAGE, "whether it has hit that hand" "se atingiu essa mão";
@@ -79,8 +79,8 @@ pub(crate) mod gate {
         }
         values {
             position: SHARE, "how far it is up" "quanto está levantada";
-            up: FLAG, "whether it is all up" "se está toda levantada";
-            down: Slot { first: Limit::Is(1), ..FLAG }, "whether it is all down" "se está toda abaixada";
+            up: FLAG, "whether it is fully up" "se está toda levantada";
+            down: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully down" "se está toda abaixada";
             lowers: FLAG, "whether it goes down" "se está descendo";
             strained: DAMAGE, "whether its motor has pushed against an end for 3 s" "se o motor forçou um fim de curso por 3 s";
             fine: FINE, "its position in small steps" "a posição em passos pequenos";
@@ -131,11 +131,11 @@ pub(crate) mod door {
         }
         values {
             position: SHARE, "how far it is open" "quanto está aberta";
-            opened: FLAG, "whether it is all open" "se está toda aberta";
-            shut: Slot { first: Limit::Is(1), ..FLAG }, "whether it is all shut" "se está toda fechada";
+            opened: FLAG, "whether it is fully open" "se está toda aberta";
+            shut: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully shut" "se está toda fechada";
             closes: FLAG, "whether it is closing" "se está fechando";
             obstacle: HAND, "whether somebody stands in it" "se alguém está no vão";
-            crushed: DAMAGE, "whether it has crushed who stood there" "se esmagou quem estava ali";
+            crushed: DAMAGE, "whether it has crushed somebody" "se esmagou quem estava ali";
             strained: DAMAGE, "whether its motor has pushed against an end for 3 s" "se o motor forçou um fim de curso por 3 s";
             fine: FINE, "its position in small steps" "a posição em passos pequenos";
             push: inner(0, 10_000), "how long it has pushed against an end" "há quanto tempo força um fim de curso";
@@ -193,7 +193,7 @@ pub(crate) mod elevator {
         }
         values {
             position: number(Unit::Permille, 0, 2000), "its height: 0, 100% and 200% are the floors" "a altura: 0, 100% e 200% são os andares";
-            floor: number(Unit::Count, 0, 3), "the floor at which it is, 0 between two" "o andar em que está, 0 entre dois";
+            floor: number(Unit::Count, 0, 3), "the floor where it is, 0 between two floors" "o andar em que está, 0 entre dois";
             moves: FLAG, "whether it moves" "se está em movimento";
             crashed: DAMAGE, "whether it has run into an end of the shaft" "se bateu em um fim do poço";
             fine: inner(0, 2_000_000), "its height in small steps" "a altura em passos pequenos";
@@ -234,7 +234,7 @@ pub(crate) mod call {
     use super::*;
     use crate::parts::motion::{door, elevator};
     kind! {
-        "call" Motion "The button of a floor, and who waits there for the elevator" "O botão de um andar, e quem espera ali pelo elevador"
+        "call" Motion "The call button of a floor, and the people who wait there" "O botão de um andar, e quem espera ali pelo elevador"
         [60, 72];
         fields {
             of: Form::Part(&["elevator"]), "the elevator" "o elevador";

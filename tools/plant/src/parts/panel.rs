@@ -26,7 +26,7 @@ pub(crate) mod button {
 pub(crate) mod switch {
     use super::*;
     kind! {
-        "switch" Panel "A switch that stays as it is turned" "Uma chave que fica como se deixa"
+        "switch" Panel "A switch that stays where it is turned" "Uma chave que fica como se deixa"
         [60, 72];
         fields { to: Form::Sense, "the input that it switches" "a entrada que ela aciona"; }
         values { on: HAND, "whether it is turned on" "se está ligada"; }
@@ -40,7 +40,7 @@ pub(crate) mod switch {
 pub(crate) mod key {
     use super::*;
     kind! {
-        "key" Panel "A switch that only who has the key can turn" "Uma chave que só quem tem a chave pode girar"
+        "key" Panel "A switch that only the holder of the key can turn" "Uma chave que só quem tem a chave pode girar"
         [60, 72];
         fields { to: Form::Sense, "the input that it switches" "a entrada que ela aciona"; }
         values { on: HAND, "whether it is turned on" "se está ligada"; }

@@ -19,7 +19,7 @@ pub(crate) mod light {
             red: FLAG, "whether it is red" "se está vermelho";
             yellow: FLAG, "whether it is yellow" "se está amarelo";
             green: FLAG, "whether it is green" "se está verde";
-            since: number(Unit::Ms, 0, 3_600_000), "how long it has been as it is" "há quanto tempo está assim";
+            since: number(Unit::Ms, 0, 3_600_000), "how long its state has lasted" "há quanto tempo está assim";
             was: inner(0, 7), "how it was before" "como estava antes";
         }
         faults { Open }
@@ -46,7 +46,7 @@ pub(crate) mod road {
         [420, 90];
         fields {
             light: Form::Part(&["light"]), "its light" "o semáforo dela";
-            every: Form::Number(Unit::Ms, 500, 600_000, 5000), "how far cars are from each other in time" "o tempo entre os carros";
+            every: Form::Number(Unit::Ms, 500, 600_000, 5000), "the time between cars" "o tempo entre os carros";
             takes: Form::Number(Unit::Ms, 200, 60_000, 2000), "how long a car takes over the crossing" "quanto um carro demora no cruzamento";
         }
         values {
@@ -95,12 +95,12 @@ pub(crate) mod walk {
             light: Form::Part(&["light"]), "its light" "o semáforo dela";
             over: Form::Part(&["road"]), "the road" "a rua";
             button: Form::Sense, "the input of the button" "a entrada do botão";
-            every: Form::Number(Unit::Ms, 1000, 600_000, 20_000), "how far people are from each other in time" "o tempo entre as pessoas";
-            takes: Form::Number(Unit::Ms, 500, 60_000, 5000), "how long it takes to walk over" "quanto demora a travessia";
+            every: Form::Number(Unit::Ms, 1000, 600_000, 20_000), "the time between people" "o tempo entre as pessoas";
+            takes: Form::Number(Unit::Ms, 500, 60_000, 5000), "how long it takes to cross" "quanto demora a travessia";
         }
         values {
             waiting: number(Unit::Count, 0, 9), "how many people wait" "quantas pessoas esperam";
-            walks: FLAG, "whether somebody walks over" "se alguém atravessa";
+            walks: FLAG, "whether somebody is crossing" "se alguém atravessa";
             crossed: COUNT, "how many have crossed" "quantas atravessaram";
             waited: number(Unit::Ms, 0, 3_600_000), "how long the first of them has waited" "há quanto tempo a primeira delas espera";
             pressed: HAND, "whether somebody presses the button" "se alguém aperta o botão";
@@ -162,10 +162,10 @@ pub(crate) mod lane {
         [420, 110];
         fields {
             gate: Form::Part(&["gate"]), "the gate" "a cancela";
-            spaces: Form::Number(Unit::Count, 1, 20, 5), "how many cars have room" "quantos carros cabem";
-            every: Form::Number(Unit::Ms, 1000, 600_000, 8000), "how far cars are from each other in time" "o tempo entre os carros";
+            spaces: Form::Number(Unit::Count, 1, 20, 5), "the number of spaces" "quantos carros cabem";
+            every: Form::Number(Unit::Ms, 1000, 600_000, 8000), "the time between cars" "o tempo entre os carros";
             stays: Form::Number(Unit::Ms, 1000, 3_600_000, 60_000), "how long a car stays" "quanto um carro fica";
-            takes: Form::Number(Unit::Ms, 500, 60_000, 3000), "how long it takes through the gate" "quanto demora na cancela";
+            takes: Form::Number(Unit::Ms, 500, 60_000, 3000), "how long it takes to pass the gate" "quanto demora na cancela";
             at_gate: Form::Sense, "the input of the sensor before the gate" "a entrada do sensor antes da cancela";
             under: Form::Sense, "the input of the sensor under the gate" "a entrada do sensor debaixo da cancela";
             leaves: Form::Sense, "the input of the sensor at the way out" "a entrada do sensor da saída";
@@ -174,7 +174,7 @@ pub(crate) mod lane {
             waiting: number(Unit::Count, 0, 20), "how many cars wait before the gate" "quantos carros esperam antes da cancela";
             passes: FLAG, "whether a car is under the gate" "se há um carro debaixo da cancela";
             inside: number(Unit::Count, 0, 40), "how many cars are inside" "quantos carros estão dentro";
-            overfull: DAMAGE, "whether more cars are inside than have room" "se há mais carros dentro do que cabem";
+            overfull: DAMAGE, "whether there are more cars inside than spaces" "se há mais carros dentro do que cabem";
             hit: DAMAGE, "whether the gate has come down on a car" "se a cancela desceu em um carro";
             entered: COUNT, "how many cars have come in" "quantos carros entraram";
             on: inner(0, 60_000), "how long the car under the gate still takes" "quanto falta ao carro debaixo da cancela";

@@ -24,10 +24,10 @@ pub(crate) mod bin {
     kind! {
         "bin" Transport "A bin that counts what falls into it" "Uma caixa que conta o que cai nela"
         [110, 90];
-        fields { wants: Form::Choice(&["any", "metal", "plastic", "tall", "short", "full"]), "what belongs into it; `full` is a bottle that is filled to 90% or more" "o que deve cair nela; `full` é uma garrafa com 90% ou mais"; }
+        fields { wants: Form::Choice(&["any", "metal", "plastic", "tall", "short", "full"]), "what belongs in it; `full` is a bottle filled to 90% or more" "o que deve cair nela; `full` é uma garrafa com 90% ou mais"; }
         values {
             count: COUNT, "how much has fallen into it" "quanto caiu nela";
-            right: COUNT, "how much of that belongs into it" "quanto disso deve estar nela";
+            right: COUNT, "how much of that belongs in it" "quanto disso deve estar nela";
             wrong: COUNT, "how much does not" "quanto não deve";
         }
         faults { }
@@ -52,21 +52,21 @@ pub(crate) mod bin {
 pub(crate) mod belt {
     use super::*;
     kind! {
-        "belt" Transport "A belt; what comes to its end goes onto the next belt, into a bin, or on the floor" "Uma esteira; o que chega ao fim passa à próxima esteira, a uma caixa, ou cai no chão"
+        "belt" Transport "A belt; things at its end move onto the next belt, fall into a bin, or fall on the floor" "Uma esteira; o que chega ao fim passa à próxima esteira, a uma caixa, ou cai no chão"
         [320, 80];
         fields {
             run: Form::Duty, "what drives it" "o que a aciona";
             onto: Form::MayPart(&["belt", "bin"]), "what stands at its end" "o que está no fim dela";
             long: Form::Number(Unit::Mm, 200, 20_000, 2000), "how long it is" "o comprimento";
             speed: Form::Number(Unit::MmPerS, 10, 3000, 300), "its speed" "a velocidade";
-            run_up: Form::Number(Unit::Ms, 1, 20_000, 200), "how long it takes to full speed" "quanto demora até a velocidade plena";
+            run_up: Form::Number(Unit::Ms, 1, 20_000, 200), "how long it takes to reach full speed" "quanto demora até a velocidade plena";
         }
         values {
             runs: FLAG, "whether it moves" "se está em movimento";
             items: number(Unit::Count, 0, MOST as i32), "how many things are on it" "quantas peças estão nela";
             jammed: DAMAGE, "whether things have piled up on it" "se peças se acumularam nela";
             fallen: COUNT, "how many things have fallen on the floor" "quantas peças caíram no chão";
-            way: number(Unit::Mm, 0, 1_000_000_000), "how far it has come" "quanto já andou";
+            way: number(Unit::Mm, 0, 1_000_000_000), "how far it has moved" "quanto já andou";
             pace: inner(0, 1000), "how fast it is, of its full speed" "a velocidade, da plena";
             rise: inner(0, 1_000_000), "the same in small steps" "a mesma em passos pequenos";
             rest: inner(0, 999_999), "what is less than a millimetre of its way" "o que falta para um milímetro";
@@ -159,11 +159,11 @@ pub(crate) mod belt {
 pub(crate) mod feeder {
     use super::*;
     kind! {
-        "feeder" Transport "It lays things on a belt while the belt runs" "Põe peças em uma esteira enquanto ela anda"
+        "feeder" Transport "A feeder: it puts things on a belt while the belt runs" "Põe peças em uma esteira enquanto ela anda"
         [90, 90];
         fields {
             onto: Form::Part(BELTS), "the belt" "a esteira";
-            every: Form::Number(Unit::Mm, 100, 10_000, 400), "how far things are from each other" "a distância entre as peças";
+            every: Form::Number(Unit::Mm, 100, 10_000, 400), "the distance between things" "a distância entre as peças";
             things: Form::Choice(&["boxes", "mixed", "bottles"]), "what it lays; `mixed` is metal and plastic, tall and short by chance" "o que põe; `mixed` é metal e plástico, alto e baixo ao acaso";
             most: Form::Number(Unit::Count, 0, 1_000_000, 1_000_000), "how many it has" "quantas tem";
         }
@@ -238,13 +238,13 @@ macro_rules! sensor {
 }
 
 sensor! { eye "eye" "A photo-eye beside a belt" "Um sensor óptico ao lado de uma esteira" THING }
-sensor! { inductive "inductive" "An inductive sensor: it sees metal alone" "Um sensor indutivo: só vê metal" METAL }
-sensor! { height "height" "A photo-eye above a belt: it sees what is tall alone" "Um sensor óptico acima de uma esteira: só vê o que é alto" TALL }
+sensor! { inductive "inductive" "An inductive sensor: it sees only metal" "Um sensor indutivo: só vê metal" METAL }
+sensor! { height "height" "A photo-eye above a belt: it sees only tall things" "Um sensor óptico acima de uma esteira: só vê o que é alto" TALL }
 
 pub(crate) mod pusher {
     use super::*;
     kind! {
-        "pusher" Transport "A pusher: it moves what is before it from a belt into a bin" "Um empurrador: passa o que está na frente dele da esteira para uma caixa"
+        "pusher" Transport "A pusher: it moves a thing from a belt into a bin" "Um empurrador: passa o que está na frente dele da esteira para uma caixa"
         [60, 110];
         fields {
             by: Form::Drive, "what extends it; a spring draws it back" "o que o avança; uma mola o recolhe";
@@ -257,8 +257,8 @@ pub(crate) mod pusher {
         }
         values {
             position: SHARE, "how far it is out" "quanto está avançado";
-            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is all in" "se está todo recuado";
-            out: FLAG, "whether it is all out" "se está todo avançado";
+            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully in" "se está todo recuado";
+            out: FLAG, "whether it is fully out" "se está todo avançado";
             hits: DAMAGE, "whether something has run into it while it was out" "se algo bateu nele enquanto estava avançado";
             fine: inner(0, 1_000_000), "its position in small steps" "a posição em passos pequenos";
             alone: inner(0, 1), "whether its way was free as it set out" "se o caminho estava livre ao avançar";
@@ -310,7 +310,7 @@ pub(crate) mod filler {
         values {
             pours: FLAG, "whether it pours" "se está despejando";
             spills: FLAG, "whether it pours beside a bottle, or into a full one" "se despeja fora de uma garrafa, ou em uma cheia";
-            spilt: number(Unit::Ms, 0, 3_600_000), "for how long it has poured so" "por quanto tempo despejou assim";
+            spilt: number(Unit::Ms, 0, 3_600_000), "how long it has spilled" "por quanto tempo despejou assim";
             fine: inner(0, 1_000_000), "what has been poured since, in small steps" "o que despejou, em passos pequenos";
         }
         faults { Stuck Leaking Open }
@@ -353,7 +353,7 @@ pub(crate) mod filler {
 pub(crate) mod counter {
     use super::*;
     kind! {
-        "counter" Transport "It counts how often something becomes true" "Conta quantas vezes algo se torna verdadeiro"
+        "counter" Transport "A counter: it counts how often something becomes true" "Conta quantas vezes algo se torna verdadeiro"
         [84, 60];
         fields { of: Form::Drive, "what it counts" "o que ele conta"; }
         values {
