@@ -1,12 +1,12 @@
 //! The registry of typed languages, and the way of a text in one of them to its typed tree.
 
-use crate::colour::{Colour, painted};
-use crate::colours::words_of_list;
-use crate::diagnostics::{Found, Lang, Span, Told};
-use crate::{il, iscl, lce, st};
 use std::fmt;
 use std::sync::RwLock;
+use unoclp_codegen::{CompiledText, Written, compile_tree};
 use unoclp_core::Board;
+use unoclp_il::Options;
+use unoclp_text::colour::{Colour, painted};
+use unoclp_text::diagnostics::{Found, Lang, Span, Told};
 use unoclp_tree::{FrontEnd, Tree};
 
 /// A typed language: a row of the registry, compared by its name.
@@ -36,40 +36,40 @@ impl TextLanguage {
         name: "st",
         title: ["Structured Text", "Texto Estruturado"],
         begins: weighed,
-        colours: |text| st::colours(text, st::Dialect::Iec),
-        tree: |text, board, found| st::check(text, st::Dialect::Iec, board, found),
+        colours: |text| unoclp_st::colours(text, unoclp_st::Dialect::Iec),
+        tree: |text, board, found| unoclp_st::check(text, unoclp_st::Dialect::Iec, board, found),
     });
     /// Structured Text as Siemens writes it: `#name`, `"name"`.
     pub const Scl: TextLanguage = TextLanguage(&FrontEnd {
         name: "scl",
         title: ["Structured Text", "Texto Estruturado"],
         begins: weighed,
-        colours: |text| st::colours(text, st::Dialect::Scl),
-        tree: |text, board, found| st::check(text, st::Dialect::Scl, board, found),
+        colours: |text| unoclp_st::colours(text, unoclp_st::Dialect::Scl),
+        tree: |text, board, found| unoclp_st::check(text, unoclp_st::Dialect::Scl, board, found),
     });
     /// InterSCL, a small SCL for teaching.
     pub const Iscl: TextLanguage = TextLanguage(&FrontEnd {
         name: "iscl",
         title: ["InterSCL", "InterSCL"],
         begins: weighed,
-        colours: iscl::colours,
-        tree: iscl::check,
+        colours: unoclp_iscl::colours,
+        tree: unoclp_iscl::check,
     });
     /// LCE, the language of SimuPLC.
     pub const Lce: TextLanguage = TextLanguage(&FrontEnd {
         name: "lce",
         title: ["LCE", "LCE"],
         begins: weighed,
-        colours: lce::colours,
-        tree: lce::check,
+        colours: unoclp_lce::colours,
+        tree: unoclp_lce::check,
     });
     /// Instruction List.
     pub const Il: TextLanguage = TextLanguage(&FrontEnd {
         name: "il",
         title: ["Instruction List", "Lista de Instruções"],
         begins: weighed,
-        colours: words_of_list,
-        tree: |text, board, found| il::read(text, None, board, found).tree,
+        colours: unoclp_il::words_of_list,
+        tree: |text, board, found| unoclp_il::read(text, None, board, found).tree,
     });
 
     /// Those that unoclp brings.
@@ -162,12 +162,17 @@ pub fn check(text: &str, language: TextLanguage, board: Board) -> CheckedText {
 }
 
 /// The tree of a text; none where something is wrong, which is told.
-pub(crate) fn read(
-    text: &str,
-    language: TextLanguage,
-    board: Board,
-    found: &mut Found,
-) -> Option<Tree> {
+fn read(text: &str, language: TextLanguage, board: Board, found: &mut Found) -> Option<Tree> {
     let tree = (language.0.tree)(text, board, found);
     tree.filter(|_| !found.has_errors())
+}
+
+/// Compiles a text for a board.
+pub fn compile_text(text: &str, language: TextLanguage, board: Board) -> CompiledText {
+    if language == TextLanguage::Il {
+        return unoclp_il::compile_list(text, &Options::on(board));
+    }
+    let mut found = Found::default();
+    let tree = read(text, language, board, &mut found);
+    compile_tree(text, tree, Written::in_types(text), board, found)
 }

@@ -1,0 +1,125 @@
+//! Instruction List as a front end of the typed tree: from its syntax tree to units, variables and statements.
+//!
+//! Lines are run on the machine of `list`. What a name means and what is wrong with it, `names` says, whoever's way of writing points it is.
+//!
+//! - `used`: what the text does with its timers and counters, wherever they are declared
+//! - `declare`: units and variables; `first`: what they begin with
+//! - `operands`: what an operand means and what it is worth; `said`: words of messages
+//! - `typed`: values of other types than bits and whole numbers; `norm`: the functions of the norm
+//! - `front`: what is known of the whole text; `walk`: what is held on the way through a body; `lines`: what each line does
+//! - `bits`, `numbers`, `stores`, `defer`, `stack`: what works on it
+//! - `circles`: calls without end; `calls`, `units`, `timers`, `counters`: what is called
+//! - `makers`, `blocks`: what the makers write in their own ways; `push`, `codes`: what the board's own words do
+//!
+//! Must not know what a statement costs.
+
+mod bits;
+mod blocks;
+mod calls;
+mod circles;
+mod codes;
+mod counters;
+mod declare;
+mod defer;
+mod first;
+mod front;
+mod latches;
+mod lines;
+mod makers;
+mod norm;
+mod numbers;
+mod operands;
+mod push;
+mod said;
+mod stack;
+mod stores;
+mod timers;
+mod typed;
+mod units;
+mod used;
+mod walk;
+
+use crate::names::Names;
+use crate::parser::{self, Parsed};
+use crate::whole;
+use front::Front;
+use std::collections::{HashMap, HashSet};
+use unoclp_core::Board;
+use unoclp_st::Checker;
+use unoclp_text::Dialect;
+use unoclp_text::diagnostics::Found;
+use unoclp_tree::Tree;
+use unoclp_tree::build::{Builder, Letters};
+use used::Used;
+
+/// What has been read of a text.
+pub struct Listed {
+    /// What it means; none where something is wrong, which is told.
+    pub tree: Option<Tree>,
+    pub(crate) parsed: Parsed,
+    /// Whose Instruction List it is.
+    pub dialect: Dialect,
+}
+
+/// Reads a text in this maker's Instruction List, or in that which its words look like.
+pub fn read(text: &str, dialect: Option<Dialect>, board: Board, found: &mut Found) -> Listed {
+    let parsed = parser::parse(text, found);
+    let dialect = dialect.unwrap_or_else(|| parsed.signs.dialect());
+    let readable = whole::is_readable(found) && !parsed.wrong_declarations;
+    let tree = match readable {
+        true => tree(text, dialect, board, &parsed, found),
+        false => None,
+    };
+    Listed {
+        tree,
+        parsed,
+        dialect,
+    }
+}
+
+fn tree(
+    text: &str,
+    dialect: Dialect,
+    board: Board,
+    parsed: &Parsed,
+    found: &mut Found,
+) -> Option<Tree> {
+    let units = parsed.units.as_slice();
+    let mut builder = Builder::new(text, Letters::Alike, board, found);
+    builder.is_list = true;
+    builder.is_wide = true;
+    builder.divides_by_zero = true;
+    builder.may_do_nothing();
+    let mut front = Front {
+        units,
+        names: Names::new(text, dialect, board, units),
+        c: Checker::of_list(builder, &parsed.pieces.types, dialect.maker()),
+        pieces: &parsed.pieces,
+        has_types: parsed.pieces.declares(),
+        used: Used::of(units, dialect),
+        numbers: Vec::new(),
+        instances: Vec::new(),
+        declared: vec![false; units.len()],
+        aliases: HashMap::new(),
+        functions: HashMap::new(),
+        coils: HashMap::new(),
+        timed: HashSet::new(),
+        timers: vec![None; units.len()],
+        instance_calls: Vec::new(),
+        called: vec![false; units.len()],
+        within: 0,
+        writes: false,
+    };
+    front.declare_all();
+    let is_endless = front.refuse_circles();
+    for unit in 0..units.len() {
+        front.body(unit);
+    }
+    front.timers_again();
+    front.never_used();
+    whole::check(text, units, front.writes, front.c.builder.found);
+    if is_endless || front.c.builder.found.has_errors() {
+        return None;
+    }
+    front.c.builder.finish()
+}

@@ -1,0 +1,33 @@
+//! Instruction List: from a text to the typed tree, in the norm's words and in those of the makers.
+//!
+//! The way of a text: `lexer` (bytes → words), `parser` (words → `ast`), `names` (what names mean), `check` (what each line
+//! does on the machine of `list`, from whose run on expressions the typed tree is made).
+//!
+//! - `operators`: what operators there are; [`words`]: how they say each instruction
+//! - `tree`: points as the text names them; `temps`: those that it does not name
+//! - `whole`: what is wrong with a text as a whole; `colours`; `declared`: what declarations say of points
+//!
+//! Owns what each word of Instruction List means. Must not know pins, files, clocks, screens. No text makes it panic.
+
+#![forbid(unsafe_code)]
+
+mod ast;
+mod check;
+mod colours;
+mod compile;
+mod declared;
+mod lexer;
+mod list;
+mod names;
+mod operators;
+mod parser;
+mod temps;
+mod tree;
+mod whole;
+pub mod words;
+
+pub use check::{Listed, read};
+pub use colours::{colours_of_list, words_of_list};
+pub use compile::{Compiled, Options, compile, compile_list};
+pub use declared::{Declared, DeclaredPoint, declared};
+pub use operators::is_operator;
