@@ -1,7 +1,7 @@
 //! Instruction List: from a text to the typed tree, in the norm's words and in those of the makers.
 //!
-//! The way of a text: `lexer` (bytes → words), `parser` (words → `ast`), `names` (what names mean), `check` (what each line
-//! does on the machine of `list`, from whose run on expressions the typed tree is made).
+//! The way of a text: `lexer` (bytes → words), `parser` (words → `ast`), `names` (what names mean), `check` (what each
+//! line does, to the typed tree).
 //!
 //! - `operators`: what operators there are; [`words`]: how they say each instruction
 //! - `tree`: points as the text names them; `temps`: those that it does not name
@@ -17,7 +17,6 @@ mod colours;
 mod compile;
 mod declared;
 mod lexer;
-mod list;
 mod names;
 mod operators;
 mod parser;

@@ -1,9 +1,9 @@
 //! What works on the accumulator: loads and operations with an operand.
 
+use super::run::Acc;
 use super::said::{ACCUMULATOR, OPERAND, constant};
 use super::walk::Walk;
 use crate::ast::Instr;
-use crate::list::{Acc, Accumulator, Edges, Machine, Stack};
 use crate::operators::Op;
 use crate::words::operator;
 use unoclp_core::isa::Opcode;
@@ -46,7 +46,7 @@ impl Walk<'_, '_, '_> {
         }
         let mut expr = self.value(operand);
         if inverted {
-            expr = expr.map(|expr| self.inverted(expr, operand.span));
+            expr = expr.map(|expr| self.opposite(expr, operand.span));
         }
         if instr.edge.is_some() {
             let unused = self.run.unused;
@@ -78,7 +78,7 @@ impl Walk<'_, '_, '_> {
             return;
         }
         let expr = self.take("NOT", instr.span);
-        let expr = expr.map(|expr| self.inverted(expr, instr.span));
+        let expr = expr.map(|expr| self.opposite(expr, instr.span));
         self.hold(expr);
     }
 
@@ -163,7 +163,7 @@ impl Walk<'_, '_, '_> {
         span: Span,
     ) -> Option<Expr> {
         let right = match negated {
-            true => self.inverted(right, span),
+            true => self.opposite(right, span),
             false => right,
         };
         if !(op.is_real() || self.is_plain(&left) && self.is_plain(&right)) {

@@ -1,13 +1,14 @@
 //! The Twido's blocks, `BLK %TM1 … OUT_BLK … END_BLK`, and inputs by operator: `CU C1`.
 
 use super::counters::Inputs;
+use super::edges::named;
 use super::first::part;
 use super::operands::Is;
+use super::run::{Acc, Changes};
 use super::timers::Preset;
 use super::used::COUNTER_PRESET;
 use super::walk::{Block, Walk};
 use crate::ast::{Instr, Operand};
-use crate::list::{Acc, Accumulator, Changes, Machine, named};
 use unoclp_core::isa::Opcode;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::{Order, Stmt, StmtKind};

@@ -1,10 +1,11 @@
 //! CAL and what it may call.
 
+use super::edges::named;
 use super::operands::Is;
+use super::run::{Acc, Changes};
 use super::said::{ACCUMULATOR, BOOL, NUMBER, Words, constant};
 use super::walk::Walk;
 use crate::ast::{Instr, Operand, Param};
-use crate::list::{Acc, Accumulator, Changes, Machine, named};
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::build::{Argument, Target};
 use unoclp_tree::{Base, Expr, Standard, Stmt, StmtKind};

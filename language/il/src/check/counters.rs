@@ -1,13 +1,14 @@
 //! Counters: CTU, CTD, CTUD, as an operator or by CAL.
 
 use super::calls::is_given;
+use super::edges::named;
 use super::operands::Is;
+use super::run::Acc;
 use super::said::ACCUMULATOR;
-use super::stack::more_inputs;
+use super::stack::pops;
 use super::timers::Preset;
 use super::walk::Walk;
 use crate::ast::{Instr, Operand, Param};
-use crate::list::{Acc, Accumulator, Machine, named};
 use crate::names::Place;
 use crate::operators::Op;
 use unoclp_core::isa::Opcode;
@@ -54,7 +55,7 @@ impl Walk<'_, '_, '_> {
             ..Inputs::default()
         };
         let mut below = Vec::new();
-        for _ in 0..more_inputs(instr.op, instr, self.front.names.dialect) {
+        for _ in 0..pops(instr, self.front.names.dialect) {
             match self.run.popped() {
                 Some(Acc::Value(expr)) => {
                     below.push(self.as_bit(expr, ACCUMULATOR, instr.span));

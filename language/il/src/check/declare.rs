@@ -1,10 +1,10 @@
 //! Units and variables: what `names` makes of their declarations, and the same in the tree.
 
+use super::edges::declare_edge;
 use super::first;
 use super::front::{Front, MOST_WITHIN};
 use super::used::parts;
 use crate::ast::{Operand, Section as Part, Stmt, Unit, UnitKind as Kind, Var};
-use crate::list::declare_edge;
 use crate::names::declare::{is_new, plain_block};
 use crate::names::{Instance, Place};
 use crate::operators::Op;

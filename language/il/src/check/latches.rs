@@ -1,8 +1,8 @@
 //! SR and RS.
 
+use super::edges::named;
 use super::walk::Walk;
 use crate::ast::{Operand, Param};
-use crate::list::{Machine, named};
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::Standard;
 use unoclp_tree::build::Target;

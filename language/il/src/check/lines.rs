@@ -1,11 +1,23 @@
 //! A run through a body: what each line does.
 
+use super::flow::Jump;
 use super::front::Front;
+use super::labels::{Passes, needed};
+use super::run::{Acc, Run};
+use super::stack::{Pushes, pops};
 use super::walk::Walk;
-use crate::ast::Instr;
-use crate::list::{Accumulator, Branches, Flow, Jump, Lines, Run, Stack};
+use crate::ast::{Instr, Operand, Stmt};
 use crate::operators::Op;
+use std::collections::HashSet;
+use unoclp_core::isa::Opcode;
+use unoclp_text::diagnostics::Code;
 use unoclp_tree::Stmt as Made;
+
+/// The label that a jump goes to.
+fn goes_to(instr: &Instr) -> Option<&str> {
+    let label = instr.operands.first().and_then(Operand::name);
+    label.filter(|_| instr.op == Op::Jump)
+}
 
 impl<'a> Front<'a, '_> {
     /// What a unit does.
@@ -23,7 +35,7 @@ impl<'a> Front<'a, '_> {
             hint: None,
             front: self,
         };
-        walk.run_lines();
+        walk.lines();
         let made = walk.finish();
         self.c.builder.body(number, made);
         self.c.builder.leave();
@@ -34,7 +46,94 @@ impl<'a> Front<'a, '_> {
 }
 
 impl<'a> Walk<'_, 'a, '_> {
-    pub(super) fn instr(&mut self, instr: &'a Instr) {
+    /// Runs the body.
+    fn lines(&mut self) {
+        self.prepare();
+        for (at, line) in self.body.iter().enumerate() {
+            self.run.at = at;
+            match line {
+                Stmt::Label(word) => self.label(&word.text, word.span),
+                Stmt::Close(span) => self.close(*span),
+                Stmt::Wrong { open } => {
+                    let run = &mut self.run;
+                    run.unused = None;
+                    run.unreachable = false;
+                    run.acc = Acc::Wrong;
+                    run.lost += open;
+                }
+                Stmt::Instr(instr) => {
+                    // What begins a part or stands after it is reached in another way.
+                    let part = matches!(instr.op, Op::Part(Opcode::Else | Opcode::EndIf));
+                    if std::mem::take(&mut self.run.unreachable) && !part {
+                        self.tell(Code::Unreachable, instr.whole, []);
+                    }
+                    if self.run.pushes.contains(&at) {
+                        self.push_result(instr.span);
+                    }
+                    self.instr(instr);
+                }
+            }
+        }
+        self.warn_unused();
+        self.end_of_frames();
+    }
+
+    /// Finds the labels, and the lines that need what the one before leaves.
+    fn prepare(&mut self) {
+        let mut labels = Vec::new();
+        let mut wanted = HashSet::new();
+        let mut pushes = Pushes::default();
+        for (at, line) in self.body.iter().enumerate() {
+            match line {
+                Stmt::Label(word) => labels.push((at, &*word.text, word.span)),
+                Stmt::Instr(instr) => {
+                    if instr.op == Op::Load {
+                        pushes.load(at);
+                    }
+                    pushes.pop(pops(instr, self.front.names.dialect));
+                    wanted.extend(goes_to(instr));
+                }
+                Stmt::Close(_) | Stmt::Wrong { .. } => {}
+            }
+        }
+        self.run.jumps = !wanted.is_empty();
+        self.run.pushes = pushes.lines;
+        self.find_labels(labels, &wanted);
+        let lines = self.body.iter().enumerate();
+        self.run.needs = needed(lines.map(|(at, line)| self.passes(at, line)));
+    }
+
+    fn passes(&self, at: usize, line: &Stmt) -> Passes {
+        let all = Passes {
+            reads: false,
+            fills: false,
+            goes_on: true,
+            jumps: None,
+        };
+        let instr = match line {
+            Stmt::Label(_) => return all,
+            Stmt::Close(_) => return Passes { reads: true, ..all },
+            Stmt::Wrong { .. } => return Passes { fills: true, ..all },
+            Stmt::Instr(instr) => instr,
+        };
+        let leads = matches!(instr.op, Op::Jump | Op::Return | Op::End);
+        Passes {
+            reads: match instr.op {
+                Op::Jump | Op::Return | Op::Call => instr.conditional,
+                Op::Load => self.run.pushes.contains(&at),
+                Op::Recall | Op::Release | Op::End => false,
+                Op::Part(opcode) => opcode == Opcode::If,
+                Op::Block | Op::OutBlock | Op::EndBlock => false,
+                Op::Function => self.takes_accumulator(instr),
+                _ => true,
+            },
+            fills: !leads,
+            goes_on: !leads || instr.conditional,
+            jumps: goes_to(instr).and_then(|label| self.run.labels.lines.get(label).copied()),
+        }
+    }
+
+    fn instr(&mut self, instr: &'a Instr) {
         match instr.op {
             Op::Load => self.load(instr),
             Op::Store => self.store(instr),

@@ -3,11 +3,11 @@
 
 use super::counters::Inputs;
 use super::operands::Is;
+use super::run::{Acc, Changes};
 use super::said::ACCUMULATOR;
 use super::timers::Preset;
 use super::walk::Walk;
 use crate::ast::{Instr, Operand};
-use crate::list::{Acc, Accumulator, Changes, Edges, Machine};
 use unoclp_core::isa::Opcode;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::{Expr, ExprKind};

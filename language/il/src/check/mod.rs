@@ -1,28 +1,38 @@
 //! Instruction List as a front end of the typed tree: from its syntax tree to units, variables and statements.
 //!
-//! Lines are run on the machine of `list`. What a name means and what is wrong with it, `names` says, whoever's way of writing points it is.
+//! A body is run line by line on expressions in place of values, so that `LD a`, `ADD b`, `ST c` come to `c := a + b`. What a
+//! name means and what is wrong with it, `names` says, whoever's way of writing points it is.
 //!
 //! - `used`: what the text does with its timers and counters, wherever they are declared
 //! - `declare`: units and variables; `first`: what they begin with
 //! - `operands`: what an operand means and what it is worth; `said`: words of messages
 //! - `typed`: values of other types than bits and whole numbers; `norm`: the functions of the norm
-//! - `front`: what is known of the whole text; `walk`: what is held on the way through a body; `lines`: what each line does
-//! - `bits`, `numbers`, `stores`, `defer`, `stack`: what works on it
+//! - `front`: what is known of the whole text; `walk`: what is known of a body, `run`: what is held on the way through it
+//! - `lines`: what each line does; `labels`: where jumps lead, and which lines need the accumulator; `flow`: jumps, RET, IF
+//! - `accumulator`: the accumulator, and what is put aside of it; `bits`, `numbers`, `stores`, `edges`: what works on it
+//! - `defer`: what waits from `(` to `)`; `stack`: ALD, OLD, PUSH, POP; `branches`: MPS, MRD, MPP
+//! - `decide`: what is done where the accumulator is 1; `tables`: registers in a row
 //! - `circles`: calls without end; `calls`, `units`, `timers`, `counters`: what is called
 //! - `makers`, `blocks`: what the makers write in their own ways; `push`, `codes`: what the board's own words do
 //!
 //! Must not know what a statement costs.
 
+mod accumulator;
 mod bits;
 mod blocks;
+mod branches;
 mod calls;
 mod circles;
 mod codes;
 mod counters;
+mod decide;
 mod declare;
 mod defer;
+mod edges;
 mod first;
+mod flow;
 mod front;
+mod labels;
 mod latches;
 mod lines;
 mod makers;
@@ -30,9 +40,11 @@ mod norm;
 mod numbers;
 mod operands;
 mod push;
+mod run;
 mod said;
 mod stack;
 mod stores;
+mod tables;
 mod timers;
 mod typed;
 mod units;

@@ -4,7 +4,6 @@ use super::calls::positional;
 use super::typed::natural;
 use super::walk::Walk;
 use crate::ast::{Instr, Param};
-use crate::list::Accumulator;
 use crate::operators::Op;
 use crate::words::operator;
 use unoclp_text::diagnostics::Span;

@@ -4,7 +4,6 @@ use super::bits::name;
 use super::said::{ACCUMULATOR, constant};
 use super::walk::Walk;
 use crate::ast::Instr;
-use crate::list::Accumulator;
 use crate::operators::Op;
 use crate::words::operator;
 use unoclp_core::isa::Opcode;

@@ -1,11 +1,11 @@
 //! What an operand means, and what it is worth.
 
 use super::first::part;
+use super::run::Changes;
 use super::said::{BLOCK, BOOL, NUMBER, Words, constant};
 use super::used::parts;
 use super::walk::Walk;
 use crate::ast::{Operand, OperandKind};
-use crate::list::{Accumulator, Changes, Machine};
 use crate::names::Place;
 use crate::tree::{Bit, Num};
 use unoclp_core::isa::Opcode;

@@ -3,9 +3,9 @@
 use super::bits::name;
 use super::front::Front;
 use super::said::ACCUMULATOR;
+use super::tables::row;
 use super::walk::Walk;
 use crate::ast::{Instr, Operand, Stmt};
-use crate::list::{Accumulator, Stack, Tables, row};
 use crate::names::Place;
 use crate::operators::Op;
 use crate::tree::Num;

@@ -1,11 +1,12 @@
 //! What writes: ST, S, R.
 
+use super::edges::named;
 use super::operands::Is;
+use super::run::Acc;
 use super::said::{ACCUMULATOR, BLOCK, BOOL, NUMBER, constant};
 use super::used::parts;
 use super::walk::Walk;
 use crate::ast::{Instr, Operand, UnitKind};
-use crate::list::{Acc, Accumulator, Decides, Machine, named};
 use crate::names::kept;
 use crate::operators::Op;
 use unoclp_point::Address;
@@ -214,7 +215,7 @@ impl Walk<'_, '_, '_> {
             number = self.whole(kept, operand.span);
         }
         if negated {
-            number = self.inverted(number, span);
+            number = self.opposite(number, span);
             if number.base == Base::Bool {
                 let state = matches!(&number.kind, ExprKind::Constant(value) if value.is_true());
                 number = self.whole(if state { -1 } else { -2 }, span);

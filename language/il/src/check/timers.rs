@@ -1,11 +1,12 @@
 //! Timers: TON, TOF, TP, as an operator or by CAL.
 
 use super::calls::is_given;
+use super::edges::named;
 use super::operands::Is;
+use super::run::Acc;
 use super::said::{ACCUMULATOR, constant};
 use super::walk::Walk;
 use crate::ast::{Instr, Operand, Param};
-use crate::list::{Acc, Accumulator, Machine, named};
 use crate::names::Place;
 use crate::words::operator;
 use unoclp_core::isa::Opcode;

@@ -7,7 +7,6 @@
 use super::operands::Is;
 use super::walk::Walk;
 use crate::ast::{Instr, Operand, Param, Var};
-use crate::list::{Accumulator, Machine};
 use unoclp_st::pieces::Piece;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::build::{Argument, Given, Named, Target};

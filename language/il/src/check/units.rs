@@ -2,11 +2,11 @@
 
 use super::calls::positional;
 use super::operands::Is;
+use super::run::Acc;
 use super::said::{BOOL, NUMBER};
 use super::typed::natural;
 use super::walk::Walk;
 use crate::ast::{Instr, Param, Section, Unit, Var};
-use crate::list::{Acc, Accumulator, Machine};
 use std::collections::HashSet;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::build::{Argument, Given, Named, Target};

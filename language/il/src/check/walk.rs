@@ -1,12 +1,9 @@
 //! A run through a body on expressions: what it holds on its way.
 
 use super::front::Front;
+use super::run::{Acc, Run};
 use super::said::{ACCUMULATOR, BOOL, NUMBER, constant};
-use super::stack::more_inputs;
 use crate::ast::{Instr, Operand, Stmt};
-use crate::list::{Acc, Changes, Does, Machine, Run, Says, Waiting};
-use crate::operators::Op;
-use std::borrow::Cow;
 use unoclp_text::diagnostics::{Code, Span, Word};
 use unoclp_tree::build::{Builder, Target};
 use unoclp_tree::{Base, Compare, Expr, ExprKind, Standard, Stmt as Made, StmtKind, Store, TypeId};
@@ -37,29 +34,23 @@ pub(super) struct Walk<'w, 'a, 'f> {
     pub hint: Option<TypeId>,
 }
 
-impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
-    fn run(&self) -> &Run {
-        &self.run
-    }
-
-    fn run_mut(&mut self) -> &mut Run {
-        &mut self.run
-    }
-
-    fn builder(&mut self) -> &mut Builder<'a, 'f> {
+impl<'a, 'f> Walk<'_, 'a, 'f> {
+    pub(super) fn builder(&mut self) -> &mut Builder<'a, 'f> {
         &mut self.front.c.builder
     }
 
-    fn built(&self) -> &Builder<'a, 'f> {
+    /// The builder, of which something is asked.
+    pub(super) fn built(&self) -> &Builder<'a, 'f> {
         &self.front.c.builder
     }
 
-    fn tell<const N: usize>(&mut self, code: Code, at: Span, words: [Word; N]) {
+    /// Tells what is wrong.
+    pub(super) fn tell<const N: usize>(&mut self, code: Code, at: Span, words: [Word; N]) {
         self.front.c.builder.found.tell(code, at, words);
     }
 
-    /// A number is true if it is not 0.
-    fn tested(&mut self, expr: Expr, span: Span) -> Option<Expr> {
+    /// A value as a condition: a number is true if it is not 0. What cannot be one is told.
+    pub(super) fn tested(&mut self, expr: Expr, span: Span) -> Option<Expr> {
         if expr.base == Base::Bool || matches!(constant(&expr), Some(0..=1)) {
             return self.as_bit(expr, ACCUMULATOR, span);
         }
@@ -75,7 +66,13 @@ impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
         Some(builder.compare(Compare::NotEqual, expr, none, span))
     }
 
-    fn carries(&mut self, mut expr: Expr, to: Option<&Target>, span: Span) -> Option<Expr> {
+    /// A value as it is left for a label, where another way to it may have left one already; one that does not fit is told.
+    pub(super) fn carries(
+        &mut self,
+        mut expr: Expr,
+        to: Option<&Target>,
+        span: Span,
+    ) -> Option<Expr> {
         let base = to.and_then(|to| self.front.c.builder.tree.types.base(to.ty));
         if !self.is_plain(&expr) {
             return Some(self.front.c.builder.settled(expr));
@@ -96,7 +93,7 @@ impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
     }
 
     /// The statement that stores a value, in the bits of the place's type.
-    fn assigned(&mut self, target: &Target, value: Expr, at: Span) -> Option<Made> {
+    pub(super) fn assigned(&mut self, target: &Target, value: Expr, at: Span) -> Option<Made> {
         if !self.is_plain_type(target.ty) || !self.is_plain(&value) {
             return self.typed_assigned(target, value, at);
         }
@@ -109,68 +106,6 @@ impl<'a, 'f> Machine<'a, 'f> for Walk<'_, 'a, 'f> {
         Some(Made { kind, at })
     }
 
-    fn inverted(&mut self, expr: Expr, span: Span) -> Expr {
-        self.opposite(expr, span)
-    }
-
-    fn joined(&mut self, of: Waiting, left: Expr, right: Expr, from: [Span; 2]) -> Option<Expr> {
-        match of {
-            Waiting::Deferred(op, negated) => self.apply(op, negated, left, right, from[0]),
-            _ => None,
-        }
-    }
-
-    fn lines(&self) -> usize {
-        self.body.len()
-    }
-
-    fn says(&self, at: usize) -> Says<'_> {
-        match &self.body[at] {
-            Stmt::Label(word) => Says::Label(word.text.as_str().into(), word.span),
-            Stmt::Close(span) => Says::Close(*span),
-            Stmt::Wrong { open } => Says::Wrong(*open),
-            Stmt::Instr(instr) => Says::Does(Does {
-                op: Some(instr.op),
-                conditional: instr.conditional,
-                label: instr
-                    .operands
-                    .first()
-                    .and_then(Operand::name)
-                    .map(Cow::from),
-                pops: match instr.op {
-                    Op::AndBlock | Op::OrBlock => 1,
-                    op => more_inputs(op, instr, self.front.names.dialect),
-                },
-                span: instr.span,
-                whole: instr.whole,
-            }),
-        }
-    }
-
-    fn reads(&self, at: usize) -> bool {
-        let Stmt::Instr(instr) = &self.body[at] else {
-            return false;
-        };
-        match instr.op {
-            Op::Block | Op::OutBlock | Op::EndBlock => false,
-            Op::Function => self.takes_accumulator(instr),
-            _ => true,
-        }
-    }
-
-    fn line(&mut self, at: usize) {
-        let body = self.body;
-        if let Some(Stmt::Instr(instr)) = body.get(at) {
-            self.instr(instr);
-        }
-    }
-
-    fn before_own(&mut self, changes: &Changes) {
-        self.before_block(changes);
-    }
-}
-
-impl<'a> Walk<'_, 'a, '_> {
     /// What no operator of this reader comes to.
     pub(super) fn not_yet(&mut self, at: Span) {
         self.run.unused = None;

@@ -1,16 +1,13 @@
 //! What is done where the accumulator is 1.
 
-use super::accumulator::Accumulator;
-use super::{Acc, Changes, Machine};
+use super::run::{Acc, Changes};
+use super::walk::Walk;
 use unoclp_text::diagnostics::Span;
 use unoclp_tree::{Stmt, StmtKind};
 
-impl<'t, 'f, M: Machine<'t, 'f>> Decides<'t, 'f> for M {}
-
-/// S and R of any block or point.
-pub(crate) trait Decides<'t, 'f>: Machine<'t, 'f> {
+impl Walk<'_, '_, '_> {
     /// Statements where the accumulator is 1: with those before them, where these are decided by the same.
-    fn decide(&mut self, mut body: Vec<Stmt>, span: Span) {
+    pub(super) fn decide(&mut self, mut body: Vec<Stmt>, span: Span) {
         for statement in &body {
             match &statement.kind {
                 StmtKind::Assign(place, ..) => self.before_others(&Changes::Cells(place, 1)),
@@ -21,7 +18,7 @@ pub(crate) trait Decides<'t, 'f>: Machine<'t, 'f> {
             }
         }
         let needed = self.needed();
-        let run = self.run_mut();
+        let run = &mut self.run;
         if let Some(state) = run.decided.take() {
             if let Some(Stmt {
                 kind: StmtKind::If(arms, otherwise),
@@ -41,6 +38,6 @@ pub(crate) trait Decides<'t, 'f>: Machine<'t, 'f> {
         };
         let kind = StmtKind::If(vec![(condition, body)], Vec::new());
         self.push(Stmt { kind, at: span });
-        self.run_mut().decided = Some(true).filter(|_| needed);
+        self.run.decided = Some(true).filter(|_| needed);
     }
 }

@@ -1,22 +1,19 @@
 //! MPS, MRD, MPP, and LPS, LRD, LPP: one result for several branches.
 
-use super::accumulator::Accumulator;
-use super::{Acc, MOST_FRAMES, Machine};
+use super::run::{Acc, MOST_FRAMES};
+use super::walk::Walk;
 use crate::operators::Op;
 use unoclp_text::diagnostics::{Code, Span};
 
-impl<'t, 'f, M: Machine<'t, 'f>> Branches<'t, 'f> for M {}
-
-/// What keeps results.
-pub(crate) trait Branches<'t, 'f>: Machine<'t, 'f> {
+impl Walk<'_, '_, '_> {
     /// MPS: the accumulator is kept, and stays what it is.
-    fn keep_result(&mut self, span: Span) {
+    pub(super) fn keep_result(&mut self, span: Span) {
         let expr = self.take("MPS", span);
-        let deep = self.run().kept.len();
+        let deep = self.run.kept.len();
         // Told once.
         if deep == MOST_FRAMES {
             self.tell(Code::TooDeep, span, []);
-            self.run_mut().kept.push((Acc::Wrong, span));
+            self.run.kept.push((Acc::Wrong, span));
         }
         if deep >= MOST_FRAMES {
             return;
@@ -24,14 +21,14 @@ pub(crate) trait Branches<'t, 'f>: Machine<'t, 'f> {
         self.hold(expr);
         // What takes more than one code is worked out once.
         self.settle_costly();
-        let acc = self.run().acc.clone();
-        self.run_mut().kept.push((acc, span));
+        let acc = self.run.acc.clone();
+        self.run.kept.push((acc, span));
     }
 
     /// MRD and MPP: what was kept last; MPP keeps it no longer.
-    fn recall_result(&mut self, op: Op, span: Span, whole: Span) {
+    pub(super) fn recall_result(&mut self, op: Op, span: Span, whole: Span) {
         self.warn_unused();
-        let run = self.run_mut();
+        let run = &mut self.run;
         let kept = match op {
             Op::Release => run.kept.pop(),
             _ => run.kept.last().cloned(),
@@ -51,8 +48,8 @@ pub(crate) trait Branches<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// Where a body ends.
-    fn end_of_branches(&mut self) {
-        let kept = std::mem::take(&mut self.run_mut().kept);
+    pub(super) fn end_of_branches(&mut self) {
+        let kept = std::mem::take(&mut self.run.kept);
         // That they are too many has been told.
         let kept = if kept.len() > MOST_FRAMES {
             Vec::new()

@@ -1,31 +1,27 @@
 //! TABLE_LD and TABLE_ST: registers in a row, of which a subscript chooses one.
 
-use super::accumulator::Accumulator;
-use super::stack::Stack;
-use super::{Acc, Changes, Machine};
+use super::run::{Acc, Changes};
+use super::walk::Walk;
 use unoclp_core::isa::REGISTERS;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::{Base, Expr, ExprKind, Stmt, StmtKind, Store, TypeId};
 
 /// So many registers stand in a row from this one on; none where the board has fewer.
-pub(crate) fn row(register: u8, count: Option<i64>) -> Option<(u8, u8)> {
+pub(super) fn row(register: u8, count: Option<i64>) -> Option<(u8, u8)> {
     let count = count.and_then(|count| u8::try_from(count).ok())?;
     let most = (REGISTERS + 1).checked_sub(register)?;
     (1..=most).contains(&count).then_some((register, count))
 }
 
-impl<'t, 'f, M: Machine<'t, 'f>> Tables<'t, 'f> for M {}
-
-/// What works on tables.
-pub(crate) trait Tables<'t, 'f>: Machine<'t, 'f> {
+impl Walk<'_, '_, '_> {
     /// Loads from a table or stores to it: the accumulator is the subscript, or the number whose subscript waits.
-    fn table(&mut self, table: (u8, u8), number: Expr, stores: bool, at: Span) {
+    pub(super) fn table(&mut self, table: (u8, u8), number: Expr, stores: bool, at: Span) {
         let (base, ty) = (Base::Dint, TypeId::of(Base::Dint));
         if !stores {
             let place = self.builder().in_table(table, number, at);
             let kind = place.map(|place| ExprKind::Read(Box::new(place)));
             let expr = kind.map(|kind| Expr { kind, base, ty, at });
-            self.run_mut().load(expr);
+            self.run.load(expr);
             return self.link();
         }
         let Some(subscript) = self.popped_number(at) else {
@@ -35,7 +31,7 @@ pub(crate) trait Tables<'t, 'f>: Machine<'t, 'f> {
         if self.needed() {
             self.settle_costly();
         }
-        let Acc::Value(number) = self.run().acc.clone() else {
+        let Acc::Value(number) = self.run.acc.clone() else {
             return;
         };
         if let Some(place) = self.builder().in_table(table, subscript, at) {
@@ -47,7 +43,7 @@ pub(crate) trait Tables<'t, 'f>: Machine<'t, 'f> {
 
     /// The table that an instruction names by its first register and its length; told where it is none. `from` is where
     /// these stand.
-    fn table_of(
+    pub(super) fn table_of(
         &mut self,
         first: Option<u8>,
         count: Option<i64>,
@@ -73,7 +69,7 @@ pub(crate) trait Tables<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// What is lacking is told.
-    fn no_table(&mut self, what: &str, at: Span) {
+    pub(super) fn no_table(&mut self, what: &str, at: Span) {
         let example = ("D1, 8", "D1, 8");
         self.tell(Code::OperandMissing, at, [what.into(), example.into()]);
     }

@@ -3,9 +3,9 @@
 //! The tree's jumps stand in a unit's body itself. So IF becomes a statement of the tree where a body has no labels, and
 //! jumps where it has some.
 
-use super::accumulator::Accumulator;
 use super::labels::If;
-use super::{Acc, Changes, Machine, Waiting};
+use super::run::{Acc, Changes, Waiting};
+use super::walk::Walk;
 use std::collections::HashSet;
 use unoclp_core::isa::Opcode;
 use unoclp_text::diagnostics::{Code, Span};
@@ -14,7 +14,7 @@ use unoclp_tree::{Expr, Stmt, StmtKind, TypeId};
 
 /// A line that jumps or leaves.
 #[derive(Clone, Copy)]
-pub(crate) struct Jump {
+pub(super) struct Jump {
     /// Where the accumulator is 1, or with N where it is 0.
     pub conditional: bool,
     pub negated: bool,
@@ -23,19 +23,16 @@ pub(crate) struct Jump {
     pub whole: Span,
 }
 
-impl<'t, 'f, M: Machine<'t, 'f>> Flow<'t, 'f> for M {}
-
-/// What leads to other lines than the next.
-pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
+impl Walk<'_, '_, '_> {
     /// The labels that a jump leads to, of all by the names that jumps have for them; the others change nothing.
-    fn find_labels(&mut self, all: Vec<(usize, String, Span)>, wanted: &HashSet<String>) {
+    pub(super) fn find_labels(&mut self, all: Vec<(usize, &str, Span)>, wanted: &HashSet<&str>) {
         let mut seen = HashSet::new();
         for (at, key, span) in all {
-            let labels = &mut self.run_mut().labels;
+            let labels = &mut self.run.labels;
             labels.all.push(span);
-            let first = !seen.contains(&key);
-            if first && wanted.contains(&key) {
-                labels.lines.insert(key.clone(), at);
+            let first = !seen.contains(key);
+            if first && wanted.contains(key) {
+                labels.lines.insert(key.to_owned(), at);
             }
             if !seen.insert(key) {
                 let name = self.built().written(span);
@@ -45,14 +42,14 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// The label of the line that is run.
-    fn label(&mut self, key: &str, span: Span) {
-        let at = self.run().at;
-        if self.run().labels.lines.get(key) != Some(&at) {
+    pub(super) fn label(&mut self, key: &str, span: Span) {
+        let at = self.run.at;
+        if self.run.labels.lines.get(key) != Some(&at) {
             return;
         }
         let name = self.built().written(span);
         self.not_deferred(&name, span);
-        let run = self.run_mut();
+        let run = &mut self.run;
         run.kept.clear();
         let falls_in = !std::mem::replace(&mut run.unreachable, false);
         let needed = run.needs.get(at).copied().unwrap_or_default();
@@ -61,13 +58,13 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
             true => {}
             false => self.warn_unused(),
         }
-        let run = self.run_mut();
+        let run = &mut self.run;
         run.labels.place(at, &run.made);
         run.acc = Acc::Empty;
         if needed {
             self.carried(at, falls_in, span);
         }
-        self.run_mut().links = 0;
+        self.run.links = 0;
     }
 
     /// Leaves the accumulator where the way from the label on takes it from.
@@ -75,7 +72,7 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
         let Some(expr) = self.take(name, span) else {
             return;
         };
-        let to = self.run().labels.carried.get(&label).cloned();
+        let to = self.run.labels.carried.get(&label).cloned();
         let Some(expr) = self.carries(expr, to.as_ref(), span) else {
             return;
         };
@@ -86,7 +83,7 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
                 let Some(target) = self.own(ty, span) else {
                     return;
                 };
-                let carried = &mut self.run_mut().labels.carried;
+                let carried = &mut self.run.labels.carried;
                 carried.insert(label, target.clone());
                 target
             }
@@ -94,19 +91,19 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
         let statement = self.assigned(&target, expr, span);
         statement.into_iter().for_each(|one| self.push(one));
         let held = self.builder().read(Some(target), span);
-        self.run_mut().load(Some(held));
+        self.run.load(Some(held));
     }
 
     /// The accumulator after a label that needs it. Where no way above leads there, it is taken for a bit.
     fn carried(&mut self, label: usize, falls_in: bool, span: Span) {
-        let target = match self.run().labels.carried.get(&label).cloned() {
+        let target = match self.run.labels.carried.get(&label).cloned() {
             Some(target) => Some(target),
             // Why nothing was left has been told.
             None if falls_in => None,
             None => {
                 let made = self.own(TypeId::BOOL, span);
                 if let Some(target) = &made {
-                    let carried = &mut self.run_mut().labels.carried;
+                    let carried = &mut self.run.labels.carried;
                     carried.insert(label, target.clone());
                 }
                 made
@@ -117,19 +114,19 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// JMP to a label, by the name that labels have, and where this stands.
-    fn jump(&mut self, jump: Jump, label: Option<(&str, Span)>) {
+    pub(super) fn jump(&mut self, jump: Jump, label: Option<(&str, Span)>) {
         self.not_deferred("JMP", jump.span);
         let Some((key, name)) = label else {
             let example = ("the name of a label", "o nome de um rótulo");
             let words = ["JMP".into(), example.into()];
             return self.tell(Code::OperandMissing, jump.span, words);
         };
-        let line = self.run().labels.lines.get(key).copied();
+        let line = self.run.labels.lines.get(key).copied();
         if line.is_none() {
             self.no_label(name);
         }
         if let Some(line) = line
-            && self.run().needs.get(line).copied().unwrap_or_default()
+            && self.run.needs.get(line).copied().unwrap_or_default()
         {
             self.carry_to(line, "JMP", jump.span);
         }
@@ -140,7 +137,7 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
             }
             return;
         }
-        self.run_mut().unused = None;
+        self.run.unused = None;
         if let Some(line) = line {
             self.jump_to(None, line, jump.whole);
         }
@@ -149,7 +146,7 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
 
     fn no_label(&mut self, span: Span) {
         let name = self.built().written(span);
-        let labels = self.run().labels.all.iter();
+        let labels = self.run.labels.all.iter();
         let labels: Vec<String> = labels.map(|span| self.built().written(*span)).collect();
         let help = match nearest(&name, labels.iter().map(String::as_str)) {
             Some(near) => (format!("is it `{near}`?"), format!("seria `{near}`?")),
@@ -162,21 +159,21 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
     }
 
     fn jump_to(&mut self, condition: Option<Expr>, label: usize, at: Span) {
-        let run = self.run_mut();
+        let run = &mut self.run;
         run.labels.jumps_to(label, &run.made);
         let kind = StmtKind::Jump(condition, 0);
         self.push(Stmt { kind, at });
     }
 
     /// Nothing comes after this.
-    fn leave(&mut self) {
-        let run = self.run_mut();
+    pub(super) fn leave(&mut self) {
+        let run = &mut self.run;
         run.acc = Acc::Empty;
         run.unreachable = true;
     }
 
     /// The accumulator as a condition, inverted by N.
-    fn condition(&mut self, what: &str, of: Jump) -> Option<Expr> {
+    pub(super) fn condition(&mut self, what: &str, of: Jump) -> Option<Expr> {
         self.undecided();
         if self.needed() {
             self.settle_costly();
@@ -189,7 +186,7 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
         })
     }
 
-    fn ret(&mut self, jump: Jump) {
+    pub(super) fn ret(&mut self, jump: Jump) {
         self.not_deferred("RET", jump.span);
         let at = jump.whole;
         let statement = Stmt {
@@ -203,53 +200,53 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
             }
             return;
         }
-        self.run_mut().unused = None;
+        self.run.unused = None;
         self.push(statement);
         self.leave();
     }
 
     /// Jumps and labels do not stand between parentheses; what LD has pushed is lost there.
-    fn not_deferred(&mut self, what: &str, span: Span) {
-        let mut frames = self.run().frames.iter();
+    pub(super) fn not_deferred(&mut self, what: &str, span: Span) {
+        let mut frames = self.run.frames.iter();
         let open = frames.find(|frame| !matches!(frame.waiting, Waiting::Pushed));
         // Told once for each parenthesis.
         if let Some(open) = open.map(|frame| frame.span)
-            && self.run_mut().told_open.replace(open) != Some(open)
+            && self.run.told_open.replace(open) != Some(open)
         {
             self.tell(Code::InParentheses, span, [what.into()]);
         }
     }
 
     /// IF, ELSE, END_IF.
-    fn part(&mut self, span: Span, opcode: Opcode) {
+    pub(super) fn part(&mut self, span: Span, opcode: Opcode) {
         let word = self.built().written(span);
         self.not_deferred(&word, span);
-        self.run_mut().kept.clear();
+        self.run.kept.clear();
         match opcode {
             Opcode::If => self.begin_if(span),
             Opcode::Else => self.begin_else(span),
             _ => self.end_if(span),
         }
-        self.run_mut().acc = Acc::Empty;
+        self.run.acc = Acc::Empty;
     }
 
     fn begin_if(&mut self, span: Span) {
         let expr = self.take("IF", span);
         let condition = expr.and_then(|expr| self.tested(expr, span));
         self.before(&Changes::Anything, false);
-        let lines = self.run().needs.len();
+        let lines = self.run.needs.len();
         let mut labels = None;
-        if self.run().labels.lines.is_empty() {
-            self.run_mut().made.push(Vec::new());
+        if self.run.labels.lines.is_empty() {
+            self.run.made.push(Vec::new());
         } else {
-            let (first, end) = self.run_mut().labels.of_if(lines);
+            let (first, end) = self.run.labels.of_if(lines);
             labels = Some((first, end));
             if let Some(condition) = condition.clone() {
                 let not = self.builder().not(condition, span);
                 self.jump_to(Some(not), first, span);
             }
         }
-        self.run_mut().ifs.push(If {
+        self.run.ifs.push(If {
             span,
             condition,
             first: None,
@@ -260,17 +257,17 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
 
     fn begin_else(&mut self, span: Span) {
         self.warn_unused();
-        let open = self.run_mut().ifs.last_mut().filter(|open| !open.other);
+        let open = self.run.ifs.last_mut().filter(|open| !open.other);
         let Some(open) = open else {
             return self.stray_part(span);
         };
         open.other = true;
         if let Some((first, end)) = open.labels {
             self.jump_to(None, end, span);
-            let run = self.run_mut();
+            let run = &mut self.run;
             return run.labels.place(first, &run.made);
         }
-        let run = self.run_mut();
+        let run = &mut self.run;
         let first = run.made.pop();
         if let Some(open) = run.ifs.last_mut() {
             open.first = first;
@@ -280,7 +277,7 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
 
     fn end_if(&mut self, span: Span) {
         self.warn_unused();
-        let run = self.run_mut();
+        let run = &mut self.run;
         let Some(open) = run.ifs.pop() else {
             return self.stray_part(span);
         };
@@ -302,8 +299,8 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// Tells which IFs have no END_IF.
-    fn end_of_ifs(&mut self) {
-        for open in std::mem::take(&mut self.run_mut().ifs) {
+    pub(super) fn end_of_ifs(&mut self) {
+        for open in std::mem::take(&mut self.run.ifs) {
             let word = self.built().written(open.span);
             let why = ("write END_IF after it", "escreva END_IF depois dele");
             self.tell(Code::Structure, open.span, [word.into(), why.into()]);
@@ -311,8 +308,8 @@ pub(crate) trait Flow<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// The statements of a body that has been run.
-    fn statements(mut self) -> Vec<Stmt> {
-        let run = self.run_mut();
+    pub(super) fn statements(mut self) -> Vec<Stmt> {
+        let run = &mut self.run;
         run.labels.settle(&mut run.made);
         run.made.swap_remove(0)
     }

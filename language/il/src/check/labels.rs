@@ -10,7 +10,7 @@ use unoclp_tree::{Expr, Stmt, StmtKind};
 
 /// The labels of a body.
 #[derive(Debug, Default)]
-pub(crate) struct Labels {
+pub(super) struct Labels {
     /// The line of each that a jump may lead to, by its name as the reader compares names.
     pub lines: HashMap<String, usize>,
     /// Where all of them stand.
@@ -71,7 +71,7 @@ fn next(made: &[Vec<Stmt>]) -> usize {
 
 /// An IF that is open.
 #[derive(Debug)]
-pub(crate) struct If {
+pub(super) struct If {
     pub span: Span,
     /// None of one that is wrong, which has been told.
     pub condition: Option<Expr>,
@@ -99,7 +99,7 @@ impl If {
 
 /// What a line does with the accumulator, and where it leads.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Passes {
+pub(super) struct Passes {
     /// It begins with what the accumulator holds.
     pub reads: bool,
     /// What it does not read it fills or forgets.
@@ -112,7 +112,7 @@ pub(crate) struct Passes {
 
 /// Whether the accumulator is needed before each line, and after the last: walks back from each line that reads it to
 /// those that fill it.
-pub(crate) fn needed(lines: impl ExactSizeIterator<Item = Passes>) -> Vec<bool> {
+pub(super) fn needed(lines: impl ExactSizeIterator<Item = Passes>) -> Vec<bool> {
     let count = lines.len();
     let mut goes_on = Vec::with_capacity(count);
     let mut filled = Vec::with_capacity(count);

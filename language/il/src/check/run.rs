@@ -7,9 +7,12 @@ use unoclp_text::diagnostics::Span;
 use unoclp_tree::build::Target;
 use unoclp_tree::{Expr, Place, Stmt};
 
+/// Operations and results that wait in one another.
+pub(super) const MOST_FRAMES: usize = unoclp_core::isa::DEEPEST as usize;
+
 /// What the accumulator holds.
 #[derive(Clone, Debug, Default)]
-pub(crate) enum Acc {
+pub(super) enum Acc {
     #[default]
     Empty,
     /// What is wrong has been told.
@@ -21,7 +24,7 @@ pub(crate) enum Acc {
 
 /// What a result waits for.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Waiting {
+pub(super) enum Waiting {
     /// For `)`, with N where the result is inverted.
     Deferred(Op, bool),
     /// For ALD, OLD, or a counter with more than one input.
@@ -29,7 +32,7 @@ pub(crate) enum Waiting {
 }
 
 /// What a statement may change.
-pub(crate) enum Changes<'p> {
+pub(super) enum Changes<'p> {
     /// So many cells from this one on.
     Cells(&'p Place, u32),
     Anything,
@@ -37,7 +40,7 @@ pub(crate) enum Changes<'p> {
 
 /// A result that waits.
 #[derive(Debug)]
-pub(crate) struct Frame {
+pub(super) struct Frame {
     pub acc: Acc,
     pub waiting: Waiting,
     /// The operator that it waits for.
@@ -48,7 +51,7 @@ pub(crate) struct Frame {
 
 /// What a run through a body holds on its way.
 #[derive(Debug)]
-pub(crate) struct Run {
+pub(super) struct Run {
     /// Whether the accumulator is needed before each line, and after the last.
     pub needs: Vec<bool>,
     /// The line that is run.

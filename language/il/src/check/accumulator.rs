@@ -3,7 +3,8 @@
 //! An expression is read again at each use, so whatever may change what it reads has to find it put aside: in a
 //! variable that is new at each call.
 
-use super::{Acc, Changes, Machine};
+use super::run::{Acc, Changes, Run};
+use super::walk::Walk;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::build::{Argument, Given, Section, Target, Traits};
 use unoclp_tree::{Expr, ExprKind, Index, Kind, Place, Root, Stmt, StmtKind, TypeId};
@@ -11,14 +12,11 @@ use unoclp_tree::{Expr, ExprKind, Index, Kind, Place, Root, Stmt, StmtKind, Type
 /// Operations in one expression, before a part of it is put aside.
 const MOST_LINKS: u32 = 40;
 
-impl<'t, 'f, M: Machine<'t, 'f>> Accumulator<'t, 'f> for M {}
-
-/// What works on the accumulator.
-pub(crate) trait Accumulator<'t, 'f>: Machine<'t, 'f> {
+impl Walk<'_, '_, '_> {
     /// The accumulator, for an instruction that uses it; told where it holds nothing.
-    fn take(&mut self, what: &str, at: Span) -> Option<Expr> {
+    pub(super) fn take(&mut self, what: &str, at: Span) -> Option<Expr> {
         self.undecided();
-        let run = self.run_mut();
+        let run = &mut self.run;
         run.unused = None;
         match std::mem::replace(&mut run.acc, Acc::Wrong) {
             Acc::Value(expr) => Some(expr),
@@ -36,50 +34,50 @@ pub(crate) trait Accumulator<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// The same of an accumulator that stays what it is.
-    fn peek(&mut self, what: &str, at: Span) -> Option<Expr> {
+    pub(super) fn peek(&mut self, what: &str, at: Span) -> Option<Expr> {
         self.undecided();
-        let acc = self.run().acc.clone();
+        let acc = self.run.acc.clone();
         let expr = self.take(what, at)?;
-        self.run_mut().acc = acc;
+        self.run.acc = acc;
         Some(expr)
     }
 
     /// Puts a new value into the accumulator.
-    fn hold(&mut self, expr: Option<Expr>) {
-        self.run_mut().hold(expr);
+    pub(super) fn hold(&mut self, expr: Option<Expr>) {
+        self.run.hold(expr);
     }
 
     /// One operation more in the accumulator's expression.
-    fn link(&mut self) {
-        self.run_mut().links += 1;
-        if self.run().links >= MOST_LINKS {
+    pub(super) fn link(&mut self) {
+        self.run.links += 1;
+        if self.run.links >= MOST_LINKS {
             self.settle();
         }
     }
 
     /// Adds a statement that changes nothing which the accumulator reads.
-    fn push(&mut self, statement: Stmt) {
+    pub(super) fn push(&mut self, statement: Stmt) {
         self.undecided();
-        if let Some(made) = self.run_mut().made.last_mut() {
+        if let Some(made) = self.run.made.last_mut() {
             made.push(statement);
         }
     }
 
-    fn warn_unused(&mut self) {
-        if let Some(span) = self.run_mut().unused.take() {
+    pub(super) fn warn_unused(&mut self) {
+        if let Some(span) = self.run.unused.take() {
             self.tell(Code::ResultUnused, span, []);
         }
     }
 
     /// Whether the accumulator is used after the line that is run.
-    fn needed(&self) -> bool {
-        self.run().needed()
+    pub(super) fn needed(&self) -> bool {
+        self.run.needed()
     }
 
     /// A variable of the compiler's own.
-    fn own(&mut self, ty: TypeId, at: Span) -> Option<Target> {
-        self.run_mut().own += 1;
-        let name = format!("#{}", self.run().own);
+    pub(super) fn own(&mut self, ty: TypeId, at: Span) -> Option<Target> {
+        self.run.own += 1;
+        let name = format!("#{}", self.run.own);
         let traits = Traits {
             unseen: true,
             ..Traits::default()
@@ -90,7 +88,7 @@ pub(crate) trait Accumulator<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// The type of a variable that holds this: of a subrange its base, which every value of its arithmetic fits.
-    fn plain(&self, expr: &Expr) -> TypeId {
+    pub(super) fn plain(&self, expr: &Expr) -> TypeId {
         match self.built().tree.types.kind(expr.ty) {
             Kind::Enum(_) => expr.ty,
             _ => TypeId::of(expr.base),
@@ -98,7 +96,7 @@ pub(crate) trait Accumulator<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// Stores a value in a variable of its own, and gives what reads it.
-    fn aside(&mut self, expr: Expr) -> Expr {
+    pub(super) fn aside(&mut self, expr: Expr) -> Expr {
         if matches!(expr.kind, ExprKind::Constant(_) | ExprKind::Wrong) {
             return expr;
         }
@@ -113,30 +111,30 @@ pub(crate) trait Accumulator<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// Puts the accumulator aside.
-    fn settle(&mut self) {
-        if let Acc::Value(expr) = self.run().acc.clone() {
+    pub(super) fn settle(&mut self) {
+        if let Acc::Value(expr) = self.run.acc.clone() {
             let held = self.aside(expr);
             self.hold(Some(held));
         }
-        self.run_mut().links = 0;
+        self.run.links = 0;
     }
 
     /// Puts the accumulator aside where computing it twice would cost more than keeping it.
-    fn settle_costly(&mut self) {
-        if self.run().links > 0 {
+    pub(super) fn settle_costly(&mut self) {
+        if self.run.links > 0 {
             self.settle();
         }
     }
 
     /// Puts the condition of the IF that was made last aside, where it is used once more.
-    fn undecided(&mut self) {
-        let Some(state) = self.run_mut().decided.take() else {
+    pub(super) fn undecided(&mut self) {
+        let Some(state) = self.run.decided.take() else {
             return;
         };
         let Some(Stmt {
             kind: StmtKind::If(arms, otherwise),
             ..
-        }) = self.run().made.last().and_then(|made| made.last())
+        }) = self.run.made.last().and_then(|made| made.last())
         else {
             return;
         };
@@ -166,7 +164,7 @@ pub(crate) trait Accumulator<'t, 'f>: Machine<'t, 'f> {
             true => held,
             false => self.builder().not(held, at),
         };
-        self.run_mut().load(Some(held));
+        self.run.load(Some(held));
     }
 
     /// Puts the condition of the IF that was made last into a variable before it.
@@ -174,7 +172,7 @@ pub(crate) trait Accumulator<'t, 'f>: Machine<'t, 'f> {
         let target = self.own(TypeId::BOOL, at)?;
         let put = self.assigned(&target, condition, at)?;
         let held = self.builder().read(Some(target), at);
-        let run = self.run_mut();
+        let run = &mut self.run;
         let of_body = run.made.len() == 1;
         let made = run.made.last_mut()?;
         if let Some(Stmt {
@@ -194,44 +192,44 @@ pub(crate) trait Accumulator<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// Before something changes: whatever is still needed and reads that is put aside.
-    fn before(&mut self, changes: &Changes, needed: bool) {
+    pub(super) fn before(&mut self, changes: &Changes, needed: bool) {
         self.undecided();
         self.before_others(changes);
-        if needed && self.reads_changed(Some(&self.run().acc), changes) {
+        if needed && self.reads_changed(Some(&self.run.acc), changes) {
             self.settle();
         }
     }
 
     /// The same of what waits, but for the accumulator.
-    fn before_others(&mut self, changes: &Changes) {
-        for at in 0..self.run().frames.len() {
-            let acc = |run: &super::Run| run.frames.get(at).map(|frame| frame.acc.clone());
-            if let Some(held) = self.changed(acc(self.run()), changes)
-                && let Some(frame) = self.run_mut().frames.get_mut(at)
+    pub(super) fn before_others(&mut self, changes: &Changes) {
+        for at in 0..self.run.frames.len() {
+            let acc = |run: &Run| run.frames.get(at).map(|frame| frame.acc.clone());
+            if let Some(held) = self.changed(acc(&self.run), changes)
+                && let Some(frame) = self.run.frames.get_mut(at)
             {
                 frame.acc = held;
             }
         }
-        for at in 0..self.run().kept.len() {
-            let acc = |run: &super::Run| run.kept.get(at).map(|(acc, _)| acc.clone());
-            if let Some(held) = self.changed(acc(self.run()), changes)
-                && let Some((acc, _)) = self.run_mut().kept.get_mut(at)
+        for at in 0..self.run.kept.len() {
+            let acc = |run: &Run| run.kept.get(at).map(|(acc, _)| acc.clone());
+            if let Some(held) = self.changed(acc(&self.run), changes)
+                && let Some((acc, _)) = self.run.kept.get_mut(at)
             {
                 *acc = held;
             }
         }
-        for at in 0..self.run().pushed.len() {
-            let held = self.run().pushed.get(at).cloned();
+        for at in 0..self.run.pushed.len() {
+            let held = self.run.pushed.get(at).cloned();
             if let Some((expr, _)) = held
                 && self.may_read(&expr, changes)
             {
                 let held = self.aside(expr);
-                if let Some((pushed, _)) = self.run_mut().pushed.get_mut(at) {
+                if let Some((pushed, _)) = self.run.pushed.get_mut(at) {
                     *pushed = held;
                 }
             }
         }
-        self.before_own(changes);
+        self.before_block(changes);
     }
 
     fn reads_changed(&self, acc: Option<&Acc>, changes: &Changes) -> bool {
@@ -250,7 +248,7 @@ pub(crate) trait Accumulator<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// A statement that changes something.
-    fn does(&mut self, statement: Stmt, needed: bool) {
+    pub(super) fn does(&mut self, statement: Stmt, needed: bool) {
         match &statement.kind {
             StmtKind::Assign(place, ..) => self.before(&Changes::Cells(place, 1), needed),
             StmtKind::Copy(place, _, cells) => self.before(&Changes::Cells(place, *cells), needed),
@@ -263,7 +261,7 @@ pub(crate) trait Accumulator<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// Before a call that is given this: it may change anything, what is lent to it too.
-    fn before_call(&mut self, given: &[Argument]) {
+    pub(super) fn before_call(&mut self, given: &[Argument]) {
         for one in given {
             if let Given::Place(target) = &one.given {
                 let cells = self.built().tree.types.get(target.ty).cells;
@@ -274,7 +272,7 @@ pub(crate) trait Accumulator<'t, 'f>: Machine<'t, 'f> {
     }
 
     /// Whether an expression may read what changes. Inputs stay what they are throughout a scan.
-    fn may_read(&self, expr: &Expr, changes: &Changes) -> bool {
+    pub(super) fn may_read(&self, expr: &Expr, changes: &Changes) -> bool {
         let mut rest = vec![expr];
         while let Some(expr) = rest.pop() {
             let reads = match &expr.kind {

@@ -1,7 +1,6 @@
 //! Edges that have no instance of their own: EU, ED, LDP, PLS.
 
-use super::Machine;
-use super::accumulator::Accumulator;
+use super::walk::Walk;
 use unoclp_core::isa::Opcode;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::build::{Argument, Builder, Given, Section, Traits};
@@ -9,7 +8,7 @@ use unoclp_tree::{Expr, Kind, Standard, UnitKind};
 
 /// The instance that an edge needs which stands here, before the unit's declarations are closed; false where there is
 /// no room, which is told.
-pub(crate) fn declare_edge(builder: &mut Builder, edge: Opcode, at: Span) -> bool {
+pub(super) fn declare_edge(builder: &mut Builder, edge: Opcode, at: Span) -> bool {
     let block = match edge {
         Opcode::FallingEdge => Standard::FTrig,
         _ => Standard::RTrig,
@@ -29,7 +28,7 @@ fn edge_name(at: Span) -> String {
 }
 
 /// What a call gives to the parameter of this name.
-pub(crate) fn named(name: &str, expr: Expr) -> Argument {
+pub(super) fn named(name: &str, expr: Expr) -> Argument {
     Argument {
         name: Some((name.to_owned(), expr.at)),
         out: false,
@@ -38,12 +37,9 @@ pub(crate) fn named(name: &str, expr: Expr) -> Argument {
     }
 }
 
-impl<'t, 'f, M: Machine<'t, 'f>> Edges<'t, 'f> for M {}
-
-/// What sees a bit change.
-pub(crate) trait Edges<'t, 'f>: Machine<'t, 'f> {
+impl Walk<'_, '_, '_> {
     /// Whether a bit has risen or fallen since this line asked last; none where it cannot be asked, which is told.
-    fn edge_of(&mut self, bit: Expr, at: Span) -> Option<Expr> {
+    pub(super) fn edge_of(&mut self, bit: Expr, at: Span) -> Option<Expr> {
         if self.built().kind_here() == Some(UnitKind::Function) {
             let word = self.built().written(at);
             self.tell(Code::Stateless, at, [word.into()]);
