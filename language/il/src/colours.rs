@@ -4,16 +4,12 @@
 
 use crate::lexer::{self, Kind, SECTIONS};
 use crate::operators;
-use unoclp_text::colour::{Colour, is_point, painted};
-use unoclp_text::diagnostics::{Found, Span};
+use unoclp_text::colour::{Colour, is_point};
+use unoclp_text::diagnostics::Found;
+use unoclp_tree::Painted;
 
-/// The coloured parts of a text in Instruction List, with types or without, in the order of their places.
-pub fn colours_of_list(text: &str) -> Vec<(Span, Colour)> {
-    painted(text, words_of_list(text))
-}
-
-/// The words of Instruction List, and what each is.
-pub fn words_of_list(text: &str) -> Vec<(Span, Option<Colour>)> {
+/// The words of a text, and what each is.
+pub fn colours(text: &str) -> Painted {
     let words = lexer::words(text, &mut Found::default());
     let mut declares = false;
     let mut begins = true;

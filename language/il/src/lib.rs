@@ -5,7 +5,8 @@
 //!
 //! - `operators`: what operators there are; [`words`]: how they say each instruction
 //! - `tree`: points as the text names them; `temps`: those that it does not name
-//! - `whole`: what is wrong with a text as a whole; `colours`; `declared`: what declarations say of points
+//! - `whole`: what is wrong with a text as a whole; `colours`; `declared`: what declarations say of points;
+//!   `written`: how a text is written
 //!
 //! Owns what each word of Instruction List means. Must not know pins, files, clocks, screens. No text makes it panic.
 
@@ -14,7 +15,6 @@
 mod ast;
 mod check;
 mod colours;
-mod compile;
 mod declared;
 mod lexer;
 mod names;
@@ -24,9 +24,9 @@ mod temps;
 mod tree;
 mod whole;
 pub mod words;
+mod written;
 
-pub use check::{Listed, read};
-pub use colours::{colours_of_list, words_of_list};
-pub use compile::{Compiled, Options, compile, compile_list};
+pub use check::read;
+pub use colours::colours;
 pub use declared::{Declared, DeclaredPoint, declared};
 pub use operators::is_operator;

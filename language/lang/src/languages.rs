@@ -2,12 +2,11 @@
 
 use std::fmt;
 use std::sync::RwLock;
-use unoclp_codegen::{CompiledText, Written, compile_tree};
+use unoclp_codegen::CompiledText;
 use unoclp_core::Board;
-use unoclp_il::Options;
 use unoclp_text::colour::{Colour, painted};
 use unoclp_text::diagnostics::{Found, Lang, Span, Told};
-use unoclp_tree::{FrontEnd, Tree};
+use unoclp_tree::{FrontEnd, Options, Tree};
 
 /// A typed language: a row of the registry, compared by its name.
 #[derive(Clone, Copy)]
@@ -37,7 +36,9 @@ impl TextLanguage {
         title: ["Structured Text", "Texto Estruturado"],
         begins: weighed,
         colours: |text| unoclp_st::colours(text, unoclp_st::Dialect::Iec),
-        tree: |text, board, found| unoclp_st::check(text, unoclp_st::Dialect::Iec, board, found),
+        read: |text, options, found| {
+            unoclp_st::check(text, unoclp_st::Dialect::Iec, options.board, found).into()
+        },
     });
     /// Structured Text as Siemens writes it: `#name`, `"name"`.
     pub const Scl: TextLanguage = TextLanguage(&FrontEnd {
@@ -45,7 +46,9 @@ impl TextLanguage {
         title: ["Structured Text", "Texto Estruturado"],
         begins: weighed,
         colours: |text| unoclp_st::colours(text, unoclp_st::Dialect::Scl),
-        tree: |text, board, found| unoclp_st::check(text, unoclp_st::Dialect::Scl, board, found),
+        read: |text, options, found| {
+            unoclp_st::check(text, unoclp_st::Dialect::Scl, options.board, found).into()
+        },
     });
     /// InterSCL, a small SCL for teaching.
     pub const Iscl: TextLanguage = TextLanguage(&FrontEnd {
@@ -53,7 +56,7 @@ impl TextLanguage {
         title: ["InterSCL", "InterSCL"],
         begins: weighed,
         colours: unoclp_iscl::colours,
-        tree: unoclp_iscl::check,
+        read: |text, options, found| unoclp_iscl::check(text, options.board, found).into(),
     });
     /// LCE, the language of SimuPLC.
     pub const Lce: TextLanguage = TextLanguage(&FrontEnd {
@@ -61,15 +64,15 @@ impl TextLanguage {
         title: ["LCE", "LCE"],
         begins: weighed,
         colours: unoclp_lce::colours,
-        tree: unoclp_lce::check,
+        read: |text, options, found| unoclp_lce::check(text, options.board, found).into(),
     });
     /// Instruction List.
     pub const Il: TextLanguage = TextLanguage(&FrontEnd {
         name: "il",
         title: ["Instruction List", "Lista de Instruções"],
         begins: weighed,
-        colours: unoclp_il::words_of_list,
-        tree: |text, board, found| unoclp_il::read(text, None, board, found).tree,
+        colours: unoclp_il::colours,
+        read: unoclp_il::read,
     });
 
     /// Those that unoclp brings.
@@ -154,25 +157,21 @@ pub struct CheckedText {
 /// Reads a text and checks its names and types. It takes a time in proportion to the text's size.
 pub fn check(text: &str, language: TextLanguage, board: Board) -> CheckedText {
     let mut found = Found::default();
-    let tree = read(text, language, board, &mut found);
+    let read = (language.0.read)(text, &Options::on(board), &mut found);
     CheckedText {
-        tree,
+        tree: read.tree.filter(|_| !found.has_errors()),
         diagnostics: found.finish(),
     }
 }
 
-/// The tree of a text; none where something is wrong, which is told.
-fn read(text: &str, language: TextLanguage, board: Board, found: &mut Found) -> Option<Tree> {
-    let tree = (language.0.tree)(text, board, found);
-    tree.filter(|_| !found.has_errors())
+/// Compiles a text. It takes a time in proportion to the text's size, whatever the text is.
+pub fn compile(text: &str, language: TextLanguage, options: &Options) -> CompiledText {
+    let mut found = Found::default();
+    let read = (language.0.read)(text, options, &mut found);
+    unoclp_codegen::compile(text, read, options.board, found)
 }
 
-/// Compiles a text for a board.
+/// The same for a board, in what its words look like.
 pub fn compile_text(text: &str, language: TextLanguage, board: Board) -> CompiledText {
-    if language == TextLanguage::Il {
-        return unoclp_il::compile_list(text, &Options::on(board));
-    }
-    let mut found = Found::default();
-    let tree = read(text, language, board, &mut found);
-    compile_tree(text, tree, Written::in_types(text), board, found)
+    compile(text, language, &Options::on(board))
 }

@@ -5,11 +5,12 @@
 //! that a rung drives has no effect, so no compiler would write it: it alone stands there as codes.
 
 use crate::spell::rung;
+use unoclp_codegen::{CompiledText, compile};
 use unoclp_core::isa::Class;
 use unoclp_core::{Board, Fault, Instruction, Loader};
-use unoclp_il::{Compiled, Options, compile};
 use unoclp_text::Dialect;
-use unoclp_text::diagnostics::{Lines, Severity};
+use unoclp_text::diagnostics::{Found, Lines, Severity};
+use unoclp_tree::Options;
 
 /// Reads a program file back as Instruction List, which compiles to the same codes.
 ///
@@ -41,7 +42,7 @@ pub fn instructions_to_il<'c>(
     // Each turn that fails takes one more rung as it is; all of them as they are compile for certain.
     for _ in 0..=rungs.len() {
         let (text, first_lines) = write(&rungs);
-        let compiled = compile(&text, &options);
+        let compiled = compiled(&text, &options);
         let Some((at, line)) = difference(&compiled, &text, &wanted) else {
             return text;
         };
@@ -65,6 +66,12 @@ pub fn instructions_to_il<'c>(
 /// [`instructions_to_il`].
 pub fn spelled<'c>(steps: impl Iterator<Item = Instruction<'c>>) -> String {
     write(&split(steps)).0
+}
+
+fn compiled(text: &str, options: &Options) -> CompiledText {
+    let mut found = Found::default();
+    let read = unoclp_il::read(text, options, &mut found);
+    compile(text, read, options.board, found)
 }
 
 /// A rung, and how it may be written.
@@ -162,7 +169,7 @@ fn write(rungs: &[Rung]) -> (String, Vec<u32>) {
 }
 
 /// The first code that is not the wanted one, and the line it comes from; none where all are the same.
-fn difference(compiled: &Compiled, text: &str, wanted: &[i32]) -> Option<(usize, u32)> {
+fn difference(compiled: &CompiledText, text: &str, wanted: &[i32]) -> Option<(usize, u32)> {
     let codes = compiled.codes();
     let error = compiled
         .diagnostics

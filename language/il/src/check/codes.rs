@@ -4,9 +4,9 @@ use super::run::{Acc, Changes};
 use super::walk::Walk;
 use crate::ast::{Instr, Stmt as Line};
 use crate::operators::Op;
-use unoclp_codegen::begins;
 use unoclp_core::isa::{Kind, Row, TABLE};
 use unoclp_text::diagnostics::{Code, Span};
+use unoclp_tree::codes::begins;
 use unoclp_tree::{Base, Codes, Stmt, StmtKind, TypeId, Value};
 
 impl Walk<'_, '_, '_> {

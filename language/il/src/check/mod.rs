@@ -54,38 +54,29 @@ mod walk;
 use crate::names::Names;
 use crate::parser::{self, Parsed};
 use crate::whole;
+use crate::written::written;
 use front::Front;
 use std::collections::{HashMap, HashSet};
 use unoclp_core::Board;
 use unoclp_st::Checker;
 use unoclp_text::Dialect;
 use unoclp_text::diagnostics::Found;
-use unoclp_tree::Tree;
 use unoclp_tree::build::{Builder, Letters};
+use unoclp_tree::{Options, Read, Tree};
 use used::Used;
 
-/// What has been read of a text.
-pub struct Listed {
-    /// What it means; none where something is wrong, which is told.
-    pub tree: Option<Tree>,
-    pub(crate) parsed: Parsed,
-    /// Whose Instruction List it is.
-    pub dialect: Dialect,
-}
-
 /// Reads a text in this maker's Instruction List, or in that which its words look like.
-pub fn read(text: &str, dialect: Option<Dialect>, board: Board, found: &mut Found) -> Listed {
+pub fn read(text: &str, options: &Options, found: &mut Found) -> Read {
     let parsed = parser::parse(text, found);
-    let dialect = dialect.unwrap_or_else(|| parsed.signs.dialect());
+    let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());
     let readable = whole::is_readable(found) && !parsed.wrong_declarations;
     let tree = match readable {
-        true => tree(text, dialect, board, &parsed, found),
+        true => tree(text, dialect, options.board, &parsed, found),
         false => None,
     };
-    Listed {
+    Read {
         tree,
-        parsed,
-        dialect,
+        written: Some(written(text, parsed, dialect)),
     }
 }
 
