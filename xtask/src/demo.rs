@@ -42,7 +42,14 @@ fn demo(image: &Path) -> Command {
 }
 
 /// Crates that are large, and have next to nothing to do in the demonstration.
-const LARGE: [&str; 3] = ["unoclp-lang", "unoclp-draw", "unoclp-exercise"];
+const LARGE: [&str; 6] = [
+    "unoclp-codegen",
+    "unoclp-draw",
+    "unoclp-exercise",
+    "unoclp-il",
+    "unoclp-st",
+    "unoclp-tree",
+];
 
 /// A cargo command on the simulator, which takes little time to compile.
 fn quickly(subcommand: &str) -> Command {

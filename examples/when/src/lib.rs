@@ -44,7 +44,7 @@ pub static WHEN: FrontEnd = FrontEnd {
     title: ["WHEN", "WHEN"],
     begins,
     colours,
-    tree,
+    read: |text, options, found| tree(text, options.board, found).into(),
 };
 
 /// The words that have a meaning of their own.

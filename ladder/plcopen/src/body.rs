@@ -9,7 +9,7 @@ use crate::types::{Types, kind};
 use crate::xml::first;
 use std::collections::{HashSet, VecDeque};
 use unoclp_core::Board;
-use unoclp_lang::{Code, Options, Span, TextLanguage, Word, compile as compile_list, compile_text};
+use unoclp_lang::{Code, Span, TextLanguage, Word, compile_text};
 
 /// Compiles a project, whose bodies are all in Instruction List, or in none of them.
 pub(crate) fn compile(
@@ -25,29 +25,19 @@ pub(crate) fn compile(
         return;
     }
     let text = &written.text;
-    let (diagnostics, lines, program) = match language {
-        language if language == TextLanguage::Il => {
-            let made = compile_list(text, &Options::on(board));
-            let file = made.file();
-            imported.variables = made.variables;
-            imported.traces = written.traced(xml, made.traces);
-            (made.diagnostics, file, made.program)
-        }
-        language => {
-            let made = compile_text(text, language, board);
-            let file = made.file();
-            imported.variables = made.variables;
-            imported.traces = written.traced(xml, made.traces);
-            (made.diagnostics, file, made.program)
-        }
-    };
-    for diagnostic in &diagnostics.listed {
+    let mut made = compile_text(text, language, board);
+    let code = made.file();
+    let (variables, traces) = made.take_shown();
+    imported.variables = variables;
+    imported.traces = written.traced(xml, traces);
+    for diagnostic in &made.diagnostics.listed {
         found.take(written.moved(diagnostic));
     }
     if found.has_errors() {
         return;
     }
-    imported.code = lines;
+    imported.code = code;
+    let program = made.program;
     imported.program = program.map(|(checked, map)| (checked, written.placed(xml, map)));
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Owns what is known of the board behind one. Must not know how a text writes them.
 
-use unoclp_core::isa::{Class, Kind, Opcode, Row, TABLE};
+use unoclp_core::isa::{Class, Kind, Row, TABLE};
 use unoclp_point::Address;
 use unoclp_text::diagnostics::Span;
 
@@ -20,14 +20,6 @@ fn is(code: i32, class: Class) -> bool {
 /// Whether a timer's block begins with this code, so that it takes a number.
 pub(super) fn is_timer(code: i32) -> bool {
     is(code, Class::Timer)
-}
-
-/// The number of the label that this code is.
-pub(super) fn label(code: i32) -> Option<u8> {
-    let number = code.wrapping_sub(Opcode::Label.row().code);
-    u8::try_from(number)
-        .ok()
-        .filter(|number| (1..=99).contains(number))
 }
 
 /// The markers, registers and counters that an instruction names, so that nothing else is put there.
@@ -75,10 +67,4 @@ pub(super) fn named(codes: &[(i32, Span)]) -> Vec<Address> {
         },
         _ => Vec::new(),
     }
-}
-
-/// Whether acc is 1 behind this code, and a label may stand there.
-pub fn begins(code: i32) -> bool {
-    let opcodes = [Opcode::NewRung, Opcode::If, Opcode::Else, Opcode::EndIf];
-    opcodes.iter().any(|opcode| opcode.row().code == code) || label(code).is_some()
 }

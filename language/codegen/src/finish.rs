@@ -332,7 +332,7 @@ fn number_labels(coder: &Coder<'_, '_>, board: Board, found: &mut Found) -> Hash
         .lines
         .iter()
         .filter_map(|line| match line.written {
-            Written::Code(code) => codes::label(code),
+            Written::Code(code) => unoclp_tree::codes::label(code),
             _ => None,
         });
     let mut used: HashSet<u8> = written.collect();

@@ -76,20 +76,17 @@ mod values;
 mod variables;
 mod verbatim;
 
-pub use codes::begins;
 pub use emit::{CodeLine, file};
-pub use places::Units;
 
 use places::Places;
-use std::collections::HashSet;
 use std::sync::Arc;
 pub use traces::{Shows, Trace};
 use unoclp_checked::{Checked, SourceMap, Work};
 use unoclp_core::Board;
 use unoclp_text::Dialect;
 use unoclp_text::comments::{self, Comments};
-use unoclp_text::diagnostics::{Found, Lines, Span, Told};
-use unoclp_tree::{Tree, UnitKind};
+use unoclp_text::diagnostics::{Found, Lines, Severity, Told};
+use unoclp_tree::{Read, Tree, UnitKind, Units, Written};
 pub use variables::{Held, Holding, Variable, literal};
 
 /// What has come of a text.
@@ -105,11 +102,39 @@ pub struct CompiledText {
     pub variables: Vec<Variable>,
     /// What its lines show of a scan.
     pub traces: Vec<Trace>,
+    /// Whose words it was taken to be written in, where makers write its language in their own.
+    pub dialect: Option<Dialect>,
+    /// Whether it says what the board has, so that its points show all that its variables would.
+    pub is_drawn: bool,
     /// What was found in the text.
     pub diagnostics: Told,
 }
 
 impl CompiledText {
+    /// Whether there is no program.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics
+            .iter()
+            .any(|told| told.severity() == Severity::Error)
+    }
+
+    /// The codes and operands in order.
+    pub fn codes(&self) -> Vec<i32> {
+        self.lines.iter().map(|line| line.code).collect()
+    }
+
+    /// What is shown of it while it runs: its variables and its lines; nothing where its points show all of that.
+    pub fn take_shown(&mut self) -> (Vec<Variable>, Vec<Trace>) {
+        let shown = (
+            std::mem::take(&mut self.variables),
+            std::mem::take(&mut self.traces),
+        );
+        match self.is_drawn {
+            true => Default::default(),
+            false => shown,
+        }
+    }
+
     /// The program file with its comments; none where there are errors.
     pub fn file(&self) -> Option<String> {
         self.program.as_ref().map(|_| emit::file(&self.lines))
@@ -126,49 +151,23 @@ impl CompiledText {
     }
 }
 
-/// What else is known of how a text is written.
-pub struct Written {
-    /// Where its comments are.
-    pub comments: Vec<Span>,
-    /// Where its functions and function blocks stand; none: where the tree has them.
-    pub units: Option<Units>,
-    /// Where its instructions begin. The comments above one that takes no step go to the step that follows.
-    pub instructions: Vec<u32>,
-    /// Its Instruction List, if it is in one: rungs begin where they load, and points are called as they are written.
-    pub list: Option<List>,
-}
-
-/// What stands in a text in Instruction List as the board has it.
-pub struct List {
-    /// Whose it is.
-    pub dialect: Dialect,
-    /// Where each IF begins, which is drawn as one.
-    pub parts: HashSet<u32>,
-}
-
-impl Written {
-    /// Of a text in a typed language: its comments, and nothing else.
-    pub fn in_types(text: &str) -> Written {
-        Written {
+/// Compiles what has been read of a text for a board; no program where something is wrong with it, which has been told.
+pub fn compile(text: &str, read: Read, board: Board, mut found: Found) -> CompiledText {
+    Work::note(|work| work.compiles += 1);
+    let tree = read.tree.filter(|_| !found.has_errors());
+    let mut made = CompiledText::default();
+    if let Some(written) = &read.written {
+        made.dialect = written.dialect;
+        made.is_drawn = written.drawn.is_some();
+    }
+    if let Some(tree) = &tree {
+        let written = read.written.unwrap_or_else(|| Written {
             comments: comments::of_any(text),
             units: None,
             instructions: Vec::new(),
-            list: None,
-        }
-    }
-}
-
-/// Compiles a tree for a board; none where something is wrong with the text, which has been told.
-pub fn compile_tree(
-    text: &str,
-    tree: Option<Tree>,
-    written: Written,
-    board: Board,
-    mut found: Found,
-) -> CompiledText {
-    Work::note(|work| work.compiles += 1);
-    let mut made = CompiledText::default();
-    if let Some(tree) = &tree {
+            dialect: None,
+            drawn: None,
+        });
         lower(text, tree, written, board, &mut found, &mut made);
     }
     made.tree = tree;
@@ -215,7 +214,7 @@ fn lower(
         shown: false,
         noted: Vec::new(),
         named: allotter::named(tree),
-        drawn: written.list.as_ref().map(|list| &list.parts),
+        drawn: written.drawn.as_ref(),
     };
     coder.first_values(tree);
     coder.steps(&flat.body);
@@ -223,8 +222,8 @@ fn lower(
     coder.spare_coils();
     let finished = finish::finish(&coder, tree, text, (&flat.loops, board), found);
     let mut finished = finished;
-    if let Some(list) = &written.list {
-        finished.named_as_written(text, list.dialect);
+    if let (Some(dialect), true) = (written.dialect, made.is_drawn) {
+        finished.named_as_written(text, dialect);
     }
     let seats = std::mem::take(&mut coder.seats);
     let noted = std::mem::take(&mut coder.noted);

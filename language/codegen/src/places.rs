@@ -4,14 +4,11 @@
 //! codes are operands: the loader says that.
 
 use crate::origin::Origin;
-use std::ops::Range;
 use std::sync::Arc;
 use unoclp_checked::{Place, SourceMap};
 use unoclp_text::comments::Comments;
 use unoclp_text::diagnostics::Lines;
-
-/// The functions and function blocks of a text: where they stand, in that order, and what they are called.
-pub type Units = Vec<(Range<u32>, Arc<str>)>;
+use unoclp_tree::Units;
 
 /// Makes the map of a text, code by code.
 pub(crate) struct Places<'t> {

@@ -3,11 +3,11 @@
 //! Owns what acc holds before and behind one. Must not know what a code means: `codes` does.
 
 use super::coder::Coder;
-use super::codes::begins;
 use super::flat::Step;
 use super::pen::Acc;
 use unoclp_text::diagnostics::Span;
 use unoclp_tree::Expr;
+use unoclp_tree::codes::begins;
 
 impl Coder<'_, '_> {
     pub(super) fn codes(

@@ -2,7 +2,7 @@
 
 use divan::{Bencher, black_box};
 use std::fmt::Write;
-use unoclp_lang::{Options, TextLanguage, check, compile};
+use unoclp_lang::{TextLanguage, check, compile_text};
 
 mod text;
 
@@ -28,7 +28,7 @@ fn text(lines: usize) -> String {
 #[divan::bench(args = [100, 1_000, 10_000, 100_000])]
 fn lines(bencher: Bencher, lines: usize) {
     let text = text(lines);
-    bencher.bench(|| compile(black_box(&text), &Options::on(unoclp_core::Board::UNO)));
+    bencher.bench(|| compile_text(black_box(&text), TextLanguage::Il, unoclp_core::Board::UNO));
 }
 
 #[divan::bench(args = [1_000, 10_000, 100_000])]
@@ -41,7 +41,7 @@ fn structured_lines(bencher: Bencher, lines: usize) {
 #[divan::bench(args = [1_000, 10_000])]
 fn wrong_lines(bencher: Bencher, lines: usize) {
     let text = "AND( Z9.9 x\n".repeat(lines);
-    bencher.bench(|| compile(black_box(&text), &Options::on(unoclp_core::Board::UNO)));
+    bencher.bench(|| compile_text(black_box(&text), TextLanguage::Il, unoclp_core::Board::UNO));
 }
 
 /// Parentheses in one another, far deeper than the board can have them.
@@ -52,5 +52,5 @@ fn nested(bencher: Bencher, deep: usize) {
         "AND( I2\n".repeat(deep),
         ")\n".repeat(deep)
     );
-    bencher.bench(|| compile(black_box(&text), &Options::on(unoclp_core::Board::UNO)));
+    bencher.bench(|| compile_text(black_box(&text), TextLanguage::Il, unoclp_core::Board::UNO));
 }

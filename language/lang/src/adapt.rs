@@ -3,11 +3,11 @@
 //! Owns where a text of each language writes points. Must not know which point goes where: `moved`.
 
 use crate::TextLanguage;
-use crate::colour::Colour;
 use crate::languages::colours;
-use crate::moved::{Adapted, adapt_at};
 use std::ops::Range;
 use unoclp_core::Board;
+use unoclp_text::colour::Colour;
+use unoclp_text::moved::{Adapted, adapt_at};
 
 /// Languages whose points can be told by how they are written.
 const ADAPTED: [TextLanguage; 3] = [TextLanguage::St, TextLanguage::Scl, TextLanguage::Il];

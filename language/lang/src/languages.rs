@@ -1,13 +1,12 @@
 //! The registry of typed languages, and the way of a text in one of them to its typed tree.
 
-use crate::colour::{Colour, painted};
-use crate::colours::words_of_list;
-use crate::diagnostics::{Found, Lang, Span, Told};
-use crate::{il, iscl, lce, st};
 use std::fmt;
 use std::sync::RwLock;
+use unoclp_codegen::CompiledText;
 use unoclp_core::Board;
-use unoclp_tree::{FrontEnd, Tree};
+use unoclp_text::colour::{Colour, painted};
+use unoclp_text::diagnostics::{Found, Lang, Span, Told};
+use unoclp_tree::{FrontEnd, Options, Tree};
 
 /// A typed language: a row of the registry, compared by its name.
 #[derive(Clone, Copy)]
@@ -36,40 +35,44 @@ impl TextLanguage {
         name: "st",
         title: ["Structured Text", "Texto Estruturado"],
         begins: weighed,
-        colours: |text| st::colours(text, st::Dialect::Iec),
-        tree: |text, board, found| st::check(text, st::Dialect::Iec, board, found),
+        colours: |text| unoclp_st::colours(text, unoclp_st::Dialect::Iec),
+        read: |text, options, found| {
+            unoclp_st::check(text, unoclp_st::Dialect::Iec, options.board, found).into()
+        },
     });
     /// Structured Text as Siemens writes it: `#name`, `"name"`.
     pub const Scl: TextLanguage = TextLanguage(&FrontEnd {
         name: "scl",
         title: ["Structured Text", "Texto Estruturado"],
         begins: weighed,
-        colours: |text| st::colours(text, st::Dialect::Scl),
-        tree: |text, board, found| st::check(text, st::Dialect::Scl, board, found),
+        colours: |text| unoclp_st::colours(text, unoclp_st::Dialect::Scl),
+        read: |text, options, found| {
+            unoclp_st::check(text, unoclp_st::Dialect::Scl, options.board, found).into()
+        },
     });
     /// InterSCL, a small SCL for teaching.
     pub const Iscl: TextLanguage = TextLanguage(&FrontEnd {
         name: "iscl",
         title: ["InterSCL", "InterSCL"],
         begins: weighed,
-        colours: iscl::colours,
-        tree: iscl::check,
+        colours: unoclp_iscl::colours,
+        read: |text, options, found| unoclp_iscl::check(text, options.board, found).into(),
     });
     /// LCE, the language of SimuPLC.
     pub const Lce: TextLanguage = TextLanguage(&FrontEnd {
         name: "lce",
         title: ["LCE", "LCE"],
         begins: weighed,
-        colours: lce::colours,
-        tree: lce::check,
+        colours: unoclp_lce::colours,
+        read: |text, options, found| unoclp_lce::check(text, options.board, found).into(),
     });
     /// Instruction List.
     pub const Il: TextLanguage = TextLanguage(&FrontEnd {
         name: "il",
         title: ["Instruction List", "Lista de Instruções"],
         begins: weighed,
-        colours: words_of_list,
-        tree: |text, board, found| il::read(text, None, board, found).tree,
+        colours: unoclp_il::colours,
+        read: unoclp_il::read,
     });
 
     /// Those that unoclp brings.
@@ -154,20 +157,21 @@ pub struct CheckedText {
 /// Reads a text and checks its names and types. It takes a time in proportion to the text's size.
 pub fn check(text: &str, language: TextLanguage, board: Board) -> CheckedText {
     let mut found = Found::default();
-    let tree = read(text, language, board, &mut found);
+    let read = (language.0.read)(text, &Options::on(board), &mut found);
     CheckedText {
-        tree,
+        tree: read.tree.filter(|_| !found.has_errors()),
         diagnostics: found.finish(),
     }
 }
 
-/// The tree of a text; none where something is wrong, which is told.
-pub(crate) fn read(
-    text: &str,
-    language: TextLanguage,
-    board: Board,
-    found: &mut Found,
-) -> Option<Tree> {
-    let tree = (language.0.tree)(text, board, found);
-    tree.filter(|_| !found.has_errors())
+/// Compiles a text. It takes a time in proportion to the text's size, whatever the text is.
+pub fn compile(text: &str, language: TextLanguage, options: &Options) -> CompiledText {
+    let mut found = Found::default();
+    let read = (language.0.read)(text, options, &mut found);
+    unoclp_codegen::compile(text, read, options.board, found)
+}
+
+/// The same for a board, in what its words look like.
+pub fn compile_text(text: &str, language: TextLanguage, board: Board) -> CompiledText {
+    compile(text, language, &Options::on(board))
 }

@@ -8,7 +8,7 @@ use stats_alloc::{INSTRUMENTED_SYSTEM, Region, Stats, StatsAlloc};
 use std::alloc::System;
 use std::hint::black_box;
 use unoclp_core::Board;
-use unoclp_lang::{Options, TextLanguage, compile, compile_text};
+use unoclp_lang::{TextLanguage, compile_text};
 
 #[global_allocator]
 static COUNTED: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
@@ -23,7 +23,11 @@ fn work(text: &str, compiler: Compiler) -> Stats {
 }
 
 fn il(text: &str) {
-    black_box(compile(text, &Options::on(unoclp_core::Board::UNO)));
+    black_box(compile_text(
+        text,
+        TextLanguage::Il,
+        unoclp_core::Board::UNO,
+    ));
 }
 
 fn typed(text: &str, language: TextLanguage) {

@@ -4,7 +4,7 @@
 //! - [`show()`]: diagnostics for a terminal
 //! - [`scanner`]: a text byte by byte; [`comments`] and [`colour`]: what its parts are
 //! - [`literal`] and [`decimal`]: what numbers and times are worth
-//! - [`points`] and [`dialect`]: which points a board has, and how makers write them
+//! - [`points`] and [`dialect`]: which points a board has, and how makers write them; [`moved`]: which take the place of others
 //! - [`near`]: slips of the hand; [`lacking()`]: how much a program is too long
 //!
 //! Owns what is told about texts, in both languages. Must not know types, trees, what a word does.
@@ -19,6 +19,7 @@ pub mod dialect;
 mod lacking;
 pub mod literal;
 mod messages;
+pub mod moved;
 pub mod near;
 pub mod points;
 pub mod scanner;

@@ -16,7 +16,7 @@
 //! - `base`, `types`, `value`: elementary types, derived types, values
 //! - `standard`: the function blocks of the norm and their cells
 //! - `tree`: units and their cells; `statement`; `expression`: expressions and places
-//! - `literal`: what literals are worth
+//! - `literal`: what literals are worth; `codes`: instructions that a text says by their codes
 //! - `ops`, `conversions`: what each operation gives, for folding and for the interpreter alike, in the `width` of types
 //! - `build`: how a front end makes a tree; see there. `front`: what else a language is
 //!
@@ -42,6 +42,7 @@
 
 mod base;
 pub mod build;
+pub mod codes;
 mod conversions;
 mod enumeration;
 mod expression;
@@ -64,7 +65,7 @@ pub use expression::{
     Binary, Call, Compare, Convert, Expr, ExprKind, Extra, Index, Input, Output, Place, Root,
     Store, Unary,
 };
-pub use front::{FrontEnd, Painted};
+pub use front::{FrontEnd, Options, Painted, Read, Units, Written};
 pub use given::given;
 pub use standard::{Part, Role, Standard, counter};
 pub use statement::{Arm, Codes, For, Order, Stmt, StmtKind};

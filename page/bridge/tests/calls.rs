@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
 use unoclp_bridge::{Boards, answer};
-use unoclp_lang::{Lang, Options};
+use unoclp_lang::Lang;
 
 fn ask(request: Value) -> Value {
     told(&mut Boards::default(), request)
@@ -574,9 +574,10 @@ fn a_name_that_cannot_be_one_is_refused_with_what_to_do() {
 
 /// What a text in Instruction List is told of the same point.
 fn of_a_text(point: &str) -> (String, String) {
-    let compiled = unoclp_lang::compile(
+    let compiled = unoclp_lang::compile_text(
         &format!("LD {point}\nST Q1\n"),
-        &Options::on(unoclp_core::Board::UNO),
+        unoclp_lang::TextLanguage::Il,
+        unoclp_core::Board::UNO,
     );
     let said = |lang| {
         let told = &compiled.diagnostics[0];

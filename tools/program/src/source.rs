@@ -69,7 +69,6 @@ impl Language {
         match self {
             Language::Numeric => WrittenIn::Numeric,
             Language::Il { .. } => WrittenIn::Il,
-            Language::Typed { language, .. } if *language == TextLanguage::Il => WrittenIn::Il,
             Language::Typed { language, .. } => WrittenIn::Typed(*language),
             Language::Xml { .. } => WrittenIn::Xml,
         }

@@ -7,8 +7,7 @@ use std::path::Path;
 use unoclp_checked::{Checked, Diagnosis, SourceMap, numeric};
 use unoclp_core::{Board, Fault};
 use unoclp_lang::{
-    Adapted, Colour, Dialect, Options, Span, TextLanguage, Told, adapt, colours, colours_of_list,
-    compile, compile_text,
+    Adapted, Colour, Dialect, Options, Span, TextLanguage, Told, adapt, colours, compile,
 };
 
 /// A program file. Its language is known, if it has one, and nothing else.
@@ -52,18 +51,6 @@ pub enum Refused {
     },
 }
 
-/// How a program file becomes a program.
-enum Way {
-    /// Its codes are read as they are.
-    Numeric,
-    /// By the compiler of Instruction List.
-    List,
-    /// By way of the typed tree.
-    Typed(TextLanguage),
-    /// A project, by what its programs are.
-    Xml,
-}
-
 impl Written {
     /// A file of this name, whose language its name and its text tell, for this board.
     pub fn new(name: String, bytes: Vec<u8>, board: Board) -> Written {
@@ -101,22 +88,13 @@ impl Written {
     /// # Errors
     /// All that is wrong with it.
     pub fn check(self, dialect: Option<Dialect>) -> Result<Source, Refused> {
-        match self.way() {
-            Ok(Way::Numeric) => self.numeric(),
-            Ok(Way::List) => self.compiled(dialect),
-            Ok(Way::Typed(language)) => self.typed(language),
-            Ok(Way::Xml) => self.xml(),
+        match self.language {
+            Ok(WrittenIn::Numeric) => self.numeric(),
+            Ok(WrittenIn::Il) => self.compiled(TextLanguage::Il, dialect),
+            Ok(WrittenIn::Typed(language)) => self.compiled(language, None),
+            Ok(WrittenIn::Xml) => self.xml(),
             Err(why) => Err(self.none(why)),
         }
-    }
-
-    fn way(&self) -> Result<Way, NoProgram> {
-        Ok(match self.language? {
-            WrittenIn::Numeric => Way::Numeric,
-            WrittenIn::Il => Way::List,
-            WrittenIn::Typed(language) => Way::Typed(language),
-            WrittenIn::Xml => Way::Xml,
-        })
     }
 
     /// Its text with a free point of the board in the place of each that the board lacks; none in a language whose points
@@ -180,10 +158,10 @@ impl Written {
 
     /// The coloured parts of its text, in the order of their places.
     pub fn colours(&self) -> Vec<(Span, Colour)> {
-        match self.way() {
-            Ok(Way::Typed(language)) => colours(&decode(&self.bytes), language),
-            Ok(Way::List) => colours_of_list(&decode(&self.bytes)),
-            Ok(Way::Numeric | Way::Xml) | Err(_) => self.colours_numeric(),
+        match self.language {
+            Ok(WrittenIn::Il) => colours(&decode(&self.bytes), TextLanguage::Il),
+            Ok(WrittenIn::Typed(language)) => colours(&decode(&self.bytes), language),
+            Ok(WrittenIn::Numeric | WrittenIn::Xml) | Err(_) => self.colours_numeric(),
         }
     }
 
@@ -216,33 +194,6 @@ impl Written {
         })
     }
 
-    fn typed(self, language: TextLanguage) -> Result<Source, Refused> {
-        let text = decode(&self.bytes);
-        let made = compile_text(&text, language, self.board);
-        let code = made.file();
-        let (Some(code), Some((checked, map))) = (code, made.program) else {
-            return Err(Refused::Text {
-                name: self.name,
-                text,
-                diagnostics: made.diagnostics,
-            });
-        };
-        Ok(Source {
-            name: self.name,
-            text,
-            code: code.into_bytes(),
-            language: Language::Typed {
-                language,
-                warnings: made.diagnostics,
-            },
-            size: Size::of(checked.program()),
-            map,
-            variables: made.variables,
-            traces: made.traces,
-            checked,
-        })
-    }
-
     fn xml(self) -> Result<Source, Refused> {
         let text = decode(&self.bytes);
         let made = unoclp_plcopen::import(&text, self.board);
@@ -269,31 +220,32 @@ impl Written {
         })
     }
 
-    fn compiled(self, dialect: Option<Dialect>) -> Result<Source, Refused> {
+    fn compiled(self, language: TextLanguage, dialect: Option<Dialect>) -> Result<Source, Refused> {
         let text = decode(&self.bytes);
         let board = self.board;
-        let compiled = compile(&text, &Options { dialect, board });
-        let code = compiled.file();
-        let diagnostics = compiled.diagnostics;
-        let (Some(code), Some((checked, map))) = (code, compiled.program) else {
+        let mut made = compile(&text, language, &Options { dialect, board });
+        let code = made.file();
+        let (variables, traces) = made.take_shown();
+        let warnings = made.diagnostics;
+        let (Some(code), Some((checked, map))) = (code, made.program) else {
             return Err(Refused::Text {
                 name: self.name,
                 text,
-                diagnostics,
+                diagnostics: warnings,
             });
         };
         Ok(Source {
             name: self.name,
             text,
             code: code.into_bytes(),
-            language: Language::Il {
-                dialect: compiled.dialect,
-                warnings: diagnostics,
+            language: match made.dialect {
+                Some(dialect) => Language::Il { dialect, warnings },
+                None => Language::Typed { language, warnings },
             },
             size: Size::of(checked.program()),
             map,
-            variables: compiled.variables,
-            traces: compiled.traces,
+            variables,
+            traces,
             checked,
         })
     }

@@ -57,7 +57,7 @@ fn doors(case: &Case) -> Vec<Came> {
             dialect: Some(Dialect::Iec),
             board,
         };
-        let told = compile(&text, &options).diagnostics;
+        let told = compile(&text, TextLanguage::Il, &options).diagnostics;
         (text, told)
     };
     let imported = |text: String| {

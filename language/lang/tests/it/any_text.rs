@@ -3,7 +3,7 @@
 use crate::common::Random;
 use std::fs;
 use std::path::Path;
-use unoclp_lang::{Code, Lang, Options, Severity, compile, show};
+use unoclp_lang::{Code, Lang, Severity, TextLanguage, compile_text, show};
 use unoclp_testing::rounds;
 
 /// Words that the parser looks out for, and what stands between them.
@@ -110,7 +110,7 @@ const BETWEEN: [&str; 17] = [
 ];
 
 fn hold(text: &str) {
-    let compiled = compile(text, &Options::on(unoclp_core::Board::UNO));
+    let compiled = compile_text(text, TextLanguage::Il, unoclp_core::Board::UNO);
     for diagnostic in compiled.diagnostics.iter() {
         assert!(
             text.get(diagnostic.span.range()).is_some(),
@@ -208,7 +208,7 @@ fn everything_can_be_shown() {
             text.push_str(random.pick(&WORDS));
             text.push_str(random.pick(&BETWEEN));
         }
-        let compiled = compile(&text, &Options::on(unoclp_core::Board::UNO));
+        let compiled = compile_text(&text, TextLanguage::Il, unoclp_core::Board::UNO);
         for lang in [Lang::En, Lang::Pt] {
             let shown = show("x.il", &text, &compiled.diagnostics, lang, &renderer);
             assert_eq!(
@@ -247,7 +247,7 @@ fn large_texts() {
         (0..5_000).map(|n| format!("LD a{n}\nST b{n}\n")).collect(),
     ];
     for text in texts {
-        let compiled = compile(&text, &Options::on(unoclp_core::Board::UNO));
+        let compiled = compile_text(&text, TextLanguage::Il, unoclp_core::Board::UNO);
         assert!(compiled.has_errors() || compiled.file().is_some());
     }
 }
@@ -270,7 +270,7 @@ fn calls_do_not_explode() {
         chain(30, "", 2),
         chain(5_000, "", 1),
     ] {
-        let compiled = compile(&text, &Options::on(unoclp_core::Board::UNO));
+        let compiled = compile_text(&text, TextLanguage::Il, unoclp_core::Board::UNO);
         let told = |d: &unoclp_lang::Diagnostic| d.severity() == Severity::Error;
         assert!(compiled.diagnostics.iter().any(told));
     }

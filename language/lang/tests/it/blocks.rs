@@ -2,7 +2,7 @@
 
 use crate::common::{LARGE, inputs, large, plc, program};
 use unoclp_core::{Board, Image, Plc};
-use unoclp_lang::{Code, Dialect, Options, compile};
+use unoclp_lang::{Code, Dialect, Options, TextLanguage, compile, compile_text};
 
 /// Runs a text, and gives the outputs of scans with these inputs at these times, as bits.
 fn run(text: &str, scans: &[(u32, u8)]) -> Vec<u128> {
@@ -186,7 +186,7 @@ fn the_accumulator_over_a_label() {
     assert_eq!(steps(either, &[0, 1, 2, 3]), [0, 1, 1, 1]);
     let count = "LD 0\nST D1\nmore: ADD 3\nST D1\nLD D1\nGE 10\nJMPC done\nLD D1\nJMP more\ndone: LD D1\nEQ 12\nST Q1";
     assert_eq!(steps(count, &[0]), [1]);
-    let told = compile("LD D1\nJMP a\nLD I1\na: ST Q1", &large()).diagnostics;
+    let told = compile("LD D1\nJMP a\nLD I1\na: ST Q1", TextLanguage::Il, &large()).diagnostics;
     assert!(told.iter().any(|d| d.code == Code::WrongType), "{told:?}");
 }
 
@@ -216,7 +216,7 @@ fn any_spelling_in_any_case() {
 #[test]
 fn warnings_that_help() {
     let told = |text: &str| -> Vec<Code> {
-        let compiled = compile(text, &Options::on(unoclp_core::Board::UNO));
+        let compiled = compile_text(text, TextLanguage::Il, unoclp_core::Board::UNO);
         assert!(!compiled.has_errors(), "{:?}", compiled.diagnostics);
         compiled.diagnostics.iter().map(|d| d.code).collect()
     };
@@ -233,7 +233,7 @@ fn warnings_that_help() {
 #[test]
 fn several_errors_in_one_run() {
     let text = "LD I9\nANDD I2\nST Q1\nLD I1\nST Q9\nJMP nowhere\n)";
-    let compiled = compile(text, &Options::on(unoclp_core::Board::UNO));
+    let compiled = compile_text(text, TextLanguage::Il, unoclp_core::Board::UNO);
     let codes: Vec<Code> = compiled.diagnostics.iter().map(|d| d.code).collect();
     assert_eq!(
         codes,
@@ -255,9 +255,9 @@ fn a_dialect_may_be_said() {
         board: Board::UNO,
     };
     let text = "LD M0\nST Q1";
-    assert!(compile(text, &options(Dialect::Iec)).has_errors());
+    assert!(compile(text, TextLanguage::Il, &options(Dialect::Iec)).has_errors());
     assert_eq!(
-        compile(text, &options(Dialect::Twido)).codes(),
+        compile(text, TextLanguage::Il, &options(Dialect::Twido)).codes(),
         [0, 827701, 877901]
     );
     for dialect in Dialect::ALL {

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use unoclp_core::Image;
-use unoclp_lang::{Lang, compile};
+use unoclp_lang::{Lang, TextLanguage, compile};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -60,7 +60,7 @@ struct Case {
 impl Case {
     /// What is not as it should be.
     fn fault(&self) -> Option<String> {
-        let compiled = compile(&self.il, &large());
+        let compiled = compile(&self.il, TextLanguage::Il, &large());
         let said = |lang| -> Vec<String> {
             let one = |d: &unoclp_lang::Diagnostic| [d.message(lang), d.help(lang)].join("; ");
             compiled.diagnostics.iter().map(one).collect()

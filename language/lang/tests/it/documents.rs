@@ -151,7 +151,7 @@ fn examples() {
                 continue;
             };
             let told = |text| match table {
-                "IL-" => compile(text, &Options::on(unoclp_core::Board::UNO)).diagnostics,
+                "IL-" => compile_text(text, TextLanguage::Il, unoclp_core::Board::UNO).diagnostics,
                 "ISCL-" => check(text, TextLanguage::Iscl, unoclp_core::Board::UNO).diagnostics,
                 "LCE-" => check(text, TextLanguage::Lce, unoclp_core::Board::UNO).diagnostics,
                 // Of points that no board has.
@@ -179,11 +179,11 @@ fn examples() {
 #[test]
 fn what_a_board_has_not_enough_of() {
     let names: String = (0..70).map(|n| format!("LD a{n}\nST b{n}\n")).collect();
-    let told = compile(&names, &Options::on(unoclp_core::Board::UNO)).diagnostics;
+    let told = compile_text(&names, TextLanguage::Il, unoclp_core::Board::UNO).diagnostics;
     assert!(told.iter().any(|d| d.code == Code::NoneLeft));
 
     let long = "LD I1\nST Q1\n".repeat(500);
-    let told = compile(&long, &Options::on(unoclp_core::Board::UNO)).diagnostics;
+    let told = compile_text(&long, TextLanguage::Il, unoclp_core::Board::UNO).diagnostics;
     let place = told
         .iter()
         .find(|d| d.code == Code::DoesNotFit)
@@ -228,7 +228,11 @@ fn addresses() {
                 dialect: unoclp_lang::Dialect::named(of),
                 ..Options::on(unoclp_core::Board::UNO)
             };
-            let compiled = compile(&format!("LD {written}\n{store}"), &options);
+            let compiled = compile(
+                &format!("LD {written}\n{store}"),
+                TextLanguage::Il,
+                &options,
+            );
             assert_eq!(compiled.codes()[1].to_string(), code, "{page}: {written}");
             assert!(
                 !compiled.has_errors(),

@@ -2,12 +2,12 @@
 //! is made of them loads, and reads back as itself.
 
 use crate::common::{LARGE, large, plc};
-use unoclp_lang::{Lang, Options, compile, show, to_il};
+use unoclp_lang::{Lang, TextLanguage, compile, compile_text, show, to_il};
 
 /// What holds of all bytes; the target `il` of `proof/fuzz/` looks for those of which it does not.
 pub fn hold(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
-    let compiled = compile(&text, &Options::on(unoclp_core::Board::UNO));
+    let compiled = compile_text(&text, TextLanguage::Il, unoclp_core::Board::UNO);
     for diagnostic in compiled.diagnostics.iter() {
         assert!(
             text.get(diagnostic.span.range()).is_some(),
@@ -21,12 +21,12 @@ pub fn hold(bytes: &[u8]) {
     assert_eq!(compiled.file().is_none(), compiled.has_errors());
 
     // On a board where size decides nothing.
-    let compiled = compile(&text, &large());
+    let compiled = compile(&text, TextLanguage::Il, &large());
     if let Some(file) = compiled.file() {
         let mut memory = vec![0; LARGE.plc_bytes()];
         plc(&file, &mut memory, LARGE);
         let back = to_il(file.as_bytes(), LARGE).unwrap_or_else(|fault| panic!("{fault}\n{file}"));
-        let again = compile(&back, &large());
+        let again = compile(&back, TextLanguage::Il, &large());
         assert!(
             !again.has_errors(),
             "{file}\n{back}\n{:#?}",

@@ -1,12 +1,12 @@
 //! What a text can have much of: errors are counted, functions are not mistaken for one another.
 
 use std::collections::BTreeSet;
-use unoclp_lang::{Code, Lang, Options, Severity, compile, show};
+use unoclp_lang::{Code, Lang, Severity, TextLanguage, compile_text, show};
 
 #[test]
 fn errors_beyond_a_hundred_are_only_counted() {
     let text = "LD I9\nST Q1\n".repeat(11_666);
-    let compiled = compile(&text, &Options::on(unoclp_core::Board::UNO));
+    let compiled = compile_text(&text, TextLanguage::Il, unoclp_core::Board::UNO);
     let errors = compiled.diagnostics.iter();
     let errors = errors.filter(|d| d.severity() == Severity::Error);
     assert_eq!(errors.count(), 100);
@@ -27,7 +27,7 @@ fn errors_beyond_a_hundred_are_only_counted() {
 #[test]
 fn warnings_hide_no_error() {
     let text = format!("{}LD I9\nST Q2\n", "LD I1\nST Q1\n".repeat(200));
-    let compiled = compile(&text, &Options::on(unoclp_core::Board::UNO));
+    let compiled = compile_text(&text, TextLanguage::Il, unoclp_core::Board::UNO);
     let renderer = annotate_snippets::Renderer::plain();
     let shown = show("x.il", &text, &compiled.diagnostics, Lang::En, &renderer);
     assert!(
@@ -44,7 +44,7 @@ fn many_functions() {
     };
     let functions: String = (0..1_000).map(function).collect();
     let text = format!("LD I1\nf7\nST Q1\nCAL f900 (a:=I2)\nST Q2\n{functions}");
-    let compiled = compile(&text, &Options::on(unoclp_core::Board::UNO));
+    let compiled = compile_text(&text, TextLanguage::Il, unoclp_core::Board::UNO);
     assert_eq!(*compiled.diagnostics.listed, []);
 }
 
@@ -103,7 +103,7 @@ R state
 END_FUNCTION_BLOCK
 ";
     assert_eq!(
-        compile(text, &Options::on(unoclp_core::Board::UNO))
+        compile_text(text, TextLanguage::Il, unoclp_core::Board::UNO)
             .diagnostics
             .listed,
         []
@@ -123,7 +123,7 @@ END_FUNCTION_BLOCK
         };
         for wrong in ["", "?", "Zz9", &slip, &format!("{word} {word}")] {
             let text = format!("{before}{wrong}{behind}");
-            let told = compile(&text, &Options::on(unoclp_core::Board::UNO)).diagnostics;
+            let told = compile_text(&text, TextLanguage::Il, unoclp_core::Board::UNO).diagnostics;
             let errors = told.iter().filter(|d| d.severity() == Severity::Error);
             if errors.clone().count() > 2 {
                 let line = before.lines().count();
@@ -142,7 +142,7 @@ fn parentheses_too_deep_are_one_error() {
         "AND( I2\n".repeat(5_000),
         ")\n".repeat(5_000)
     );
-    let told = compile(&text, &Options::on(unoclp_core::Board::UNO)).diagnostics;
+    let told = compile_text(&text, TextLanguage::Il, unoclp_core::Board::UNO).diagnostics;
     let codes: Vec<Code> = told.iter().map(|d| d.code).collect();
     assert_eq!(codes, [Code::TooDeep]);
 }

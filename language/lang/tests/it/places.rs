@@ -2,11 +2,11 @@
 
 use unoclp_checked::{Place, SourceMap};
 use unoclp_core::isa::Opcode;
-use unoclp_lang::{Options, compile};
+use unoclp_lang::{TextLanguage, compile_text};
 
 /// The map of a text that must be a program, and the opcodes of its steps.
 fn map(text: &str) -> (SourceMap, Vec<Opcode>) {
-    let compiled = compile(text, &Options::on(unoclp_core::Board::UNO));
+    let compiled = compile_text(text, TextLanguage::Il, unoclp_core::Board::UNO);
     let (checked, map) = compiled
         .program
         .unwrap_or_else(|| panic!("{:#?}", compiled.diagnostics));

@@ -339,7 +339,7 @@ fn random_programs_do_what_the_course_says() {
     let programs = rounds(10_000);
     for seed in 0..u64::from(programs) {
         let text = random_text(seed);
-        let compiled = unoclp_lang::compile(&text, &large());
+        let compiled = unoclp_lang::compile(&text, unoclp_lang::TextLanguage::Il, &large());
         // What goes too deep for the board is told, and nothing else is.
         if compiled.has_errors() {
             refused += 1;

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::Path;
-use unoclp_lang::{Options, compile};
+use unoclp_lang::{TextLanguage, compile_text};
 
 /// Each program with the bytes of program memory that it has come to take.
 #[test]
@@ -18,7 +18,7 @@ fn no_program_takes_more_bytes() {
     assert!(rows.len() >= 200, "{}", rows.len());
     let larger = rows.into_iter().filter_map(|(name, least)| {
         let text = fs::read_to_string(root.join("../../programs").join(name)).unwrap();
-        let program = compile(&text, &Options::on(unoclp_core::Board::UNO)).program;
+        let program = compile_text(&text, TextLanguage::Il, unoclp_core::Board::UNO).program;
         let bytes = program.map(|(checked, _)| checked.program().stored_bytes());
         let holds = bytes.is_some_and(|bytes| bytes <= least);
         (!holds).then(|| format!("{name} {bytes:?}, not {least}"))

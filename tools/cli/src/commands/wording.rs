@@ -4,7 +4,7 @@ use crate::messages;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use unoclp_core::Board;
-use unoclp_lang::{Dialect, Lang, TextLanguage};
+use unoclp_lang::{Dialect, Lang};
 use unoclp_program::{Language, Written, WrittenIn};
 
 /// How to read a program.
@@ -60,9 +60,6 @@ impl Wording {
             Language::Numeric => None,
             Language::Il { dialect, .. } => Some(self.dialect(*dialect)),
             Language::Xml { .. } => Some("PLCopen XML".to_owned()),
-            Language::Typed { language, .. } if *language == TextLanguage::Il => {
-                Some(self.dialect(Dialect::Iec))
-            }
             Language::Typed { language, .. } => Some(language.title(messages::spoken()).to_owned()),
         }
     }

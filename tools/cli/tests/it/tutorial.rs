@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_exercise::scenario::{Exercise, Scenario, check};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_lang::{Lang, Options, TextLanguage, compile, compile_text};
+use unoclp_lang::{Lang, TextLanguage, compile_text};
 
 const PAGES: [&str; 2] = ["docs/tutorial.md", "docs/tutorial.pt-BR.md"];
 const FOLDER: &str = "programs/tutorial";
@@ -74,7 +74,7 @@ fn language(file: &str) -> &str {
 fn compiled(text: &str, language: &str) -> String {
     let (file, diagnostics) = match language {
         "il" => {
-            let compiled = compile(text, &Options::on(unoclp_core::Board::UNO));
+            let compiled = compile_text(text, TextLanguage::Il, unoclp_core::Board::UNO);
             (compiled.file(), compiled.diagnostics.listed)
         }
         _ => {

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use unoclp_core::Board;
 use unoclp_core::isa::{Class, Opcode};
 use unoclp_draw::edit::{Emitted, Row};
-use unoclp_lang::{Dialect, Options, compile, instructions_to_il, spelled};
+use unoclp_lang::{Dialect, Options, TextLanguage, compile, instructions_to_il, spelled};
 use unoclp_point::Address;
 
 /// The rungs under what they are about, with the names of points, as far as that can be told without compiling it.
@@ -90,7 +90,7 @@ fn codes(text: &str, board: Board) -> Option<Vec<i32>> {
         dialect: Some(Dialect::Iec),
         board,
     };
-    let compiled = compile(text, &options);
+    let compiled = compile(text, TextLanguage::Il, &options);
     (!compiled.has_errors()).then(|| compiled.codes())
 }
 

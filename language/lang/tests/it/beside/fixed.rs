@@ -2,12 +2,11 @@
 
 use super::tests::{LARGE, compiled_of};
 use super::writer::{assign, expr, place, read, statement, whole};
-use unoclp_lang::Span;
 use unoclp_lang::run::{Machine, Stop};
 use unoclp_lang::typed::{
     Base, Binary, Cell, Codes, Expr, ExprKind, Stmt, StmtKind, Tree, Unit, UnitKind, Value,
 };
-use unoclp_lang::{Lines, Options, compile};
+use unoclp_lang::{Lines, Span, TextLanguage, compile_text};
 use unoclp_point::Address;
 
 /// I1, I2, Q1 and a bit of the program's own, and a register.
@@ -55,7 +54,7 @@ fn codes(before: Option<Expr>, codes: &[i32], behind: Option<u32>) -> Stmt {
 }
 
 fn is_as_older(text: &str, tree: &Tree) {
-    let older = compile(text, &Options::on(LARGE));
+    let older = compile_text(text, TextLanguage::Il, LARGE);
     let made = compiled_of(text, tree);
     let numbers = |lines: &[unoclp_lang::CodeLine]| -> Vec<i32> {
         lines.iter().map(|line| line.code).collect()

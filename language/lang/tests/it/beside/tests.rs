@@ -2,12 +2,11 @@
 
 use super::writer::{MARKERS, POINTS, REGISTERS, Writer};
 use unoclp_checked::Checked;
-use unoclp_codegen::{CompiledText, Written, compile_tree};
+use unoclp_codegen::{CompiledText, compile};
 use unoclp_core::{Board, Image, Inputs, Plc};
 use unoclp_lang::run::Machine;
 use unoclp_lang::typed::{Tree, Value};
-use unoclp_lang::{Options, compile};
-use unoclp_lang::{Severity, Told};
+use unoclp_lang::{Severity, TextLanguage, Told, compile_text};
 use unoclp_testing::{Random, rounds};
 use unoclp_text::diagnostics::Found;
 
@@ -22,8 +21,7 @@ pub(super) const LARGE: Board = Board {
 
 /// The program of a tree, as if it were of this text.
 pub(super) fn compiled_of(text: &str, tree: &Tree) -> CompiledText {
-    let written = Written::in_types(text);
-    compile_tree(text, Some(tree.clone()), written, LARGE, Found::default())
+    compile(text, Some(tree.clone()).into(), LARGE, Found::default())
 }
 
 fn listing(lines: &[unoclp_lang::CodeLine]) -> String {
@@ -64,7 +62,7 @@ fn compared(seed: u64) -> Result<(u16, u16), String> {
     }
     writer.above();
     let (text, tree) = writer.finish();
-    let older = compile(&text, &Options::on(LARGE));
+    let older = compile_text(&text, TextLanguage::Il, LARGE);
     let made = compiled_of("", &tree);
     let told = |told: &Told| {
         let errors = told.iter().filter(|d| d.severity() == Severity::Error);

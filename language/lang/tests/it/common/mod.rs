@@ -1,7 +1,7 @@
 //! What the tests share: random numbers, and a board that runs what has been compiled.
 
 use unoclp_core::{Board, Image, Inputs, Loader, Plc};
-use unoclp_lang::{Compiled, Options, compile};
+use unoclp_lang::{CompiledText, Options, TextLanguage, compile};
 pub use unoclp_testing::Random;
 
 /// A board with more memory than any, so that size decides nothing.
@@ -19,8 +19,8 @@ pub fn large() -> Options {
 }
 
 /// Compiles a text that must be a program.
-pub fn program(text: &str, options: &Options) -> Compiled {
-    let compiled = compile(text, options);
+pub fn program(text: &str, options: &Options) -> CompiledText {
+    let compiled = compile(text, TextLanguage::Il, options);
     assert!(
         !compiled.has_errors(),
         "{text}\n{:#?}",

@@ -1,0 +1,453 @@
+//! From the bytes of a text to its words.
+//!
+//! Owns comments, numbers and names; must not know an operator from a name. Of `;` it knows that it ends a
+//! declaration between VAR and END_VAR, and begins a comment elsewhere.
+
+use std::collections::HashMap;
+use unoclp_text::comments;
+use unoclp_text::diagnostics::{Code, Found, Span};
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A name or address: `LD`, `%IX1`, `I0.0`, `T1.Q`, `% IX1`.
+    Name,
+    /// Digits, perhaps with a point, and letters that stick to them: `20`, `0.00`, `5s`.
+    Number,
+    /// `T#20s`, `16#FF`.
+    Literal,
+    Open,
+    Close,
+    Comma,
+    Colon,
+    /// `:=`
+    Assign,
+    /// `=>`
+    Arrow,
+    /// `=`
+    Equals,
+    Semicolon,
+    /// `&`
+    And,
+    Minus,
+    Plus,
+    /// `'text'`, `"text"`
+    Text,
+    /// A sign of Structured Text, which has a meaning within pieces of it: `[`, `..`, `<`.
+    Sign,
+    /// The end of a line.
+    NewLine,
+    /// The end of the text.
+    End,
+}
+
+/// A token and its place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Token {
+    pub kind: Kind,
+    pub span: Span,
+}
+
+/// Words that begin declarations, by the norm; not all of them can be compiled.
+pub(crate) const SECTIONS: [&str; 9] = [
+    "VAR",
+    "VAR_TEMP",
+    "VAR_GLOBAL",
+    "VAR_INPUT",
+    "VAR_OUTPUT",
+    "VAR_IN_OUT",
+    "VAR_EXTERNAL",
+    "VAR_ACCESS",
+    "VAR_CONFIG",
+];
+
+/// What a text consists of.
+pub(crate) struct Words {
+    /// A [`Kind::End`] is the last.
+    pub tokens: Vec<Token>,
+    /// The comments between them, with what begins and ends them.
+    pub comments: Vec<Span>,
+    /// Of these the ones that `;` begins, without it.
+    pub remarks: Vec<Span>,
+}
+
+pub(crate) fn words(text: &str, found: &mut Found) -> Words {
+    let mut lexer = Lexer {
+        text,
+        bytes: text.as_bytes(),
+        at: 0,
+        unclosed: 0,
+        nested: comments::nested(text.as_bytes()),
+        comments: Vec::new(),
+        declares: false,
+        remarks: Vec::new(),
+        found,
+    };
+    let mut tokens = Vec::with_capacity(text.len() / 3 + 1);
+    if text.starts_with('\u{FEFF}') {
+        lexer.at = '\u{FEFF}'.len_utf8();
+    }
+    while let Some(token) = lexer.next() {
+        tokens.push(token);
+    }
+    let end = Span {
+        start: text.len() as u32,
+        end: text.len() as u32,
+    };
+    tokens.push(Token {
+        kind: Kind::End,
+        span: end,
+    });
+    let Lexer {
+        comments, remarks, ..
+    } = lexer;
+    Words {
+        tokens,
+        comments,
+        remarks,
+    }
+}
+
+struct Lexer<'t, 'f> {
+    text: &'t str,
+    bytes: &'t [u8],
+    at: usize,
+    /// There is no `*)` from `at` to here.
+    unclosed: usize,
+    /// Comments that hold others: where they begin, and where they end.
+    nested: HashMap<usize, usize>,
+    comments: Vec<Span>,
+    /// Between VAR and END_VAR.
+    declares: bool,
+    remarks: Vec<Span>,
+    found: &'f mut Found,
+}
+
+impl Lexer<'_, '_> {
+    fn next(&mut self) -> Option<Token> {
+        loop {
+            let start = self.at;
+            let first = *self.bytes.get(start)?;
+            self.at += 1;
+            let second = self.bytes.get(self.at).copied();
+            let kind = match first {
+                b' ' | b'\t' | b'\r' => continue,
+                b'\n' => Kind::NewLine,
+                b'(' if second == Some(b'*') => {
+                    self.comment(start);
+                    self.comments.push(self.span(start));
+                    continue;
+                }
+                b'/' if second == Some(b'/') => {
+                    self.skip_line();
+                    self.comments.push(self.span(start));
+                    continue;
+                }
+                b';' if !self.declares => {
+                    self.skip_line();
+                    self.comments.push(self.span(start));
+                    let remark = self.span(start + 1);
+                    self.remarks.push(remark);
+                    continue;
+                }
+                b'(' => Kind::Open,
+                b')' => Kind::Close,
+                b',' => Kind::Comma,
+                b';' => Kind::Semicolon,
+                b'&' => Kind::And,
+                b'-' => Kind::Minus,
+                b'+' => Kind::Plus,
+                b':' if second == Some(b'=') => self.two(Kind::Assign),
+                b':' => Kind::Colon,
+                b'=' if second == Some(b'>') => self.two(Kind::Arrow),
+                b'=' => Kind::Equals,
+                b'\'' | b'"' if self.quoted(first) => Kind::Text,
+                b'[' | b']' | b'<' | b'>' | b'*' | b'/' => Kind::Sign,
+                b'.' if second == Some(b'.') => self.two(Kind::Sign),
+                b'.' => Kind::Sign,
+                b'0'..=b'9' => self.number(),
+                // OMRON's #0050.
+                b'#' if second.is_some_and(|byte| byte.is_ascii_digit()) => {
+                    self.digits();
+                    Kind::Literal
+                }
+                b'%' => {
+                    while matches!(self.bytes.get(self.at), Some(b' ' | b'\t')) {
+                        self.at += 1;
+                    }
+                    if self.word() {
+                        self.members();
+                        Kind::Name
+                    } else {
+                        self.at = start + 1;
+                        self.stray(start);
+                        continue;
+                    }
+                }
+                _ => {
+                    self.at = start;
+                    if !self.word() {
+                        self.at = self.character_end(start);
+                        self.stray(start);
+                        continue;
+                    }
+                    if self.bytes.get(self.at) == Some(&b'#') {
+                        self.at += 1;
+                        self.literal();
+                        Kind::Literal
+                    } else {
+                        self.members();
+                        self.note_section(start);
+                        Kind::Name
+                    }
+                }
+            };
+            let span = self.span(start);
+            return Some(Token { kind, span });
+        }
+    }
+
+    /// Words that begin and end declarations.
+    fn note_section(&mut self, start: usize) {
+        let word = self.text.get(start..self.at).unwrap_or_default();
+        if word.eq_ignore_ascii_case("TYPE") && self.is_alone(start) {
+            self.declares = true;
+        } else if word.eq_ignore_ascii_case("END_VAR") || word.eq_ignore_ascii_case("END_TYPE") {
+            self.declares = false;
+        } else if SECTIONS
+            .iter()
+            .any(|known| word.eq_ignore_ascii_case(known))
+        {
+            self.declares = true;
+        }
+    }
+
+    /// Whether the word that begins here begins its line, and no colon stands after it.
+    fn is_alone(&self, start: usize) -> bool {
+        let (before, behind) = self.text.split_at(start);
+        let before = before.trim_end_matches([' ', '\t']);
+        let word = behind.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+        (before.is_empty() || before.ends_with('\n')) && !word.trim_start().starts_with(':')
+    }
+
+    fn skip_line(&mut self) {
+        while self.bytes.get(self.at).is_some_and(|&byte| byte != b'\n') {
+            self.at += 1;
+        }
+    }
+
+    fn two(&mut self, kind: Kind) -> Kind {
+        self.at += 1;
+        kind
+    }
+
+    /// Letters, digits and underscores, the first no digit; false where there are none.
+    fn word(&mut self) -> bool {
+        let start = self.at;
+        while let Some(&byte) = self.bytes.get(self.at) {
+            match byte {
+                b'A'..=b'Z' | b'a'..=b'z' | b'_' => self.at += 1,
+                b'0'..=b'9' if self.at > start => self.at += 1,
+                0x80.. => {
+                    let end = self.character_end(self.at);
+                    let letter = self.text.get(self.at..end);
+                    if !letter.is_some_and(|letter| letter.chars().all(char::is_alphabetic)) {
+                        break;
+                    }
+                    self.at = end;
+                }
+                _ => break,
+            }
+        }
+        self.at > start
+    }
+
+    /// `.Q`, `.1`, as often as they follow.
+    fn members(&mut self) {
+        while self.bytes.get(self.at) == Some(&b'.') {
+            let point = self.at;
+            self.at += 1;
+            if !self.word() && !self.digits() {
+                self.at = point;
+                return;
+            }
+        }
+    }
+
+    fn digits(&mut self) -> bool {
+        let start = self.at;
+        while matches!(self.bytes.get(self.at), Some(b'0'..=b'9' | b'_')) {
+            self.at += 1;
+        }
+        self.at > start
+    }
+
+    fn number(&mut self) -> Kind {
+        self.digits();
+        if self.bytes.get(self.at) == Some(&b'#') {
+            self.at += 1;
+            self.literal();
+            return Kind::Literal;
+        }
+        let [point, behind] = [self.at, self.at + 1].map(|at| self.bytes.get(at));
+        if point == Some(&b'.') && behind != Some(&b'.') {
+            self.at += 1;
+            self.digits();
+        }
+        self.decimal_comma();
+        while matches!(self.bytes.get(self.at), Some(byte) if byte.is_ascii_alphanumeric()) {
+            self.at += 1;
+            self.minus_of_exponent();
+        }
+        Kind::Number
+    }
+
+    /// The minus of `1E-3`.
+    fn minus_of_exponent(&mut self) {
+        let before = self.bytes.get(self.at - 1);
+        let [minus, digit] = [self.at, self.at + 1].map(|at| self.bytes.get(at));
+        let exponent = matches!(before, Some(b'e' | b'E')) && minus == Some(&b'-');
+        if exponent && digit.is_some_and(u8::is_ascii_digit) {
+            self.at += 1;
+        }
+    }
+
+    /// A comma within a time, `1,5s`, belongs to its number: after it stand digits and a unit.
+    fn decimal_comma(&mut self) {
+        let rest = self.bytes.get(self.at..).unwrap_or_default();
+        let [b',', behind @ ..] = rest else { return };
+        let digits = behind.iter().take_while(|b| b.is_ascii_digit()).count();
+        if digits > 0 && behind.get(digits).is_some_and(u8::is_ascii_alphabetic) {
+            self.at += 1 + digits;
+        }
+    }
+
+    /// A text up to the quote that closes it, where its line has that.
+    fn quoted(&mut self, quote: u8) -> bool {
+        let rest = self.bytes.get(self.at..).unwrap_or_default();
+        let mut rest = rest.iter().take_while(|byte| **byte != b'\n');
+        let length = rest.position(|byte| *byte == quote);
+        self.at += length.map_or(0, |length| length + 1);
+        length.is_some()
+    }
+
+    /// What follows a `#`.
+    fn literal(&mut self) {
+        if let Some(&quote @ (b'\'' | b'"')) = self.bytes.get(self.at) {
+            self.at += 1;
+            self.quoted(quote);
+            return;
+        }
+        let date = self.is_date();
+        if self.bytes.get(self.at) == Some(&b'-') {
+            self.at += 1;
+        }
+        let part = |lexer: &Self| {
+            matches!(
+                lexer.bytes.get(lexer.at),
+                Some(b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' | b'_' | b'.')
+            ) || date && matches!(lexer.bytes.get(lexer.at), Some(b'-' | b':'))
+        };
+        while part(self) || self.is_typed_radix() {
+            self.at += 1;
+            self.minus_of_exponent();
+            let before = self.bytes.get(self.at - 1);
+            if before.is_some_and(u8::is_ascii_digit) {
+                self.decimal_comma();
+            }
+        }
+    }
+
+    /// Whether the `#` behind stands after the type of a date or a time of day.
+    fn is_date(&self) -> bool {
+        let before = self.text.get(..self.at.saturating_sub(1));
+        let word = before.and_then(|text| {
+            text.rsplit(|c: char| !(c.is_alphanumeric() || c == '_'))
+                .next()
+        });
+        let types = ["D", "DATE", "TOD", "TIME_OF_DAY", "DT", "DATE_AND_TIME"];
+        word.is_some_and(|word| types.iter().any(|ty| word.eq_ignore_ascii_case(ty)))
+    }
+
+    /// The second `#` of `UINT#16#F`.
+    fn is_typed_radix(&self) -> bool {
+        let [before, sign, behind] = [self.at.wrapping_sub(1), self.at, self.at + 1]
+            .map(|at| self.bytes.get(at).copied().unwrap_or_default());
+        sign == b'#' && before.is_ascii_digit() && behind.is_ascii_alphanumeric()
+    }
+
+    /// A comment, from after its `(`. It may go over lines. One that the line closes by `* )` is meant to
+    /// be closed there: else it would swallow the next instructions without a word.
+    fn comment(&mut self, start: usize) {
+        if let Some(&end) = self.nested.get(&start) {
+            self.at = end;
+            return;
+        }
+        self.at += 1;
+        let mut spaced = None;
+        while let Some(&byte) = self.bytes.get(self.at) {
+            self.at += 1;
+            match byte {
+                b'*' if self.bytes.get(self.at) == Some(&b')') => {
+                    self.at += 1;
+                    return;
+                }
+                b'*' if spaced.is_none() => {
+                    let rest = &self.bytes[self.at..];
+                    let blanks = rest
+                        .iter()
+                        .take_while(|&&b| b == b' ' || b == b'\t')
+                        .count();
+                    if rest.get(blanks) == Some(&b')') {
+                        let close = (self.at - 1, self.at + blanks + 1);
+                        if self.at < self.unclosed {
+                            return self.close_spaced(close);
+                        }
+                        spaced = Some(close);
+                    }
+                }
+                b'\n' => {
+                    if let Some(close) = spaced {
+                        return self.close_spaced(close);
+                    }
+                }
+                _ => {}
+            }
+        }
+        if let Some(close) = spaced {
+            return self.close_spaced(close);
+        }
+        let open = Span {
+            start: start as u32,
+            end: start as u32 + 2,
+        };
+        self.found.tell(Code::CommentOpen, open, []);
+    }
+
+    /// Closes a comment at its `* )`; up to here there is no other.
+    fn close_spaced(&mut self, (star, end): (usize, usize)) {
+        self.unclosed = self.unclosed.max(self.at);
+        self.at = end;
+        let span = self.span(star);
+        self.found.tell(Code::CommentSpaced, span, []);
+    }
+
+    fn stray(&mut self, start: usize) {
+        let span = self.span(start);
+        let text = self.text.get(span.range()).unwrap_or_default();
+        self.found.tell(Code::StrayCharacter, span, [text.into()]);
+    }
+
+    /// After the character that begins here.
+    fn character_end(&self, start: usize) -> usize {
+        let rest = self.text.get(start..).unwrap_or_default();
+        start + rest.chars().next().map_or(1, char::len_utf8)
+    }
+
+    fn span(&self, start: usize) -> Span {
+        Span {
+            start: start as u32,
+            end: self.at as u32,
+        }
+    }
+}

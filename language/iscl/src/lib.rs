@@ -1,0 +1,39 @@
+//! InterSCL, a small SCL for teaching: from a text to the typed tree.
+//!
+//! `words` (its signs and keywords), `parser` (words → `ast`), `check` (names and types, by the builder that all
+//! typed languages share).
+//!
+//! Owns what each word of InterSCL means. Must not know other languages, boards' instructions, files. No text makes it panic.
+
+#![forbid(unsafe_code)]
+
+mod ast;
+mod check;
+mod expression;
+mod operands;
+mod parser;
+mod recovery;
+mod statement;
+mod words;
+
+use unoclp_core::Board;
+use unoclp_text::colour::Colour;
+use unoclp_text::diagnostics::{Code, Found, Span};
+use unoclp_tree::Tree;
+use words::{RULES, Word};
+
+/// The words of a text, and what each is.
+pub fn colours(text: &str) -> Vec<(Span, Option<Colour>)> {
+    unoclp_small::colours::<Word>(text, &RULES)
+}
+
+/// The tree of a text; none where something is wrong, which is told.
+pub fn check(text: &str, board: Board, found: &mut Found) -> Option<Tree> {
+    let program = parser::parse(text, found);
+    if let Some(open) = found.place_of(Code::StCommentOpen) {
+        // It swallows the rest; what is missing there follows from it.
+        found.keep(|d| d.code == Code::StCommentOpen && d.span == open);
+        return None;
+    }
+    check::check(text, &program?, board, found)
+}

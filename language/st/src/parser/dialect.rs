@@ -1,0 +1,54 @@
+//! Words of other dialects that begin what this language has not, told by name.
+
+use super::super::token::Kind;
+use super::super::words::Keyword;
+use super::Parser;
+use unoclp_text::diagnostics::Code;
+
+/// What a word belongs to, and what to take in its place.
+fn meaning(upper: &str) -> Option<(&'static str, &'static str)> {
+    Some(match upper {
+        "METHOD" | "PROPERTY" => (
+            "it belongs to classes, which unoclp does not have; write a FUNCTION, or a FUNCTION_BLOCK with inputs",
+            "isto pertence a classes, que o unoclp não tem; escreva uma FUNCTION, ou um FUNCTION_BLOCK com entradas",
+        ),
+        "CLASS" | "INTERFACE" => (
+            "unoclp has no classes; write a FUNCTION_BLOCK",
+            "o unoclp não tem classes; escreva um FUNCTION_BLOCK",
+        ),
+        "EXTENDS" | "IMPLEMENTS" => (
+            "it belongs to classes, which unoclp does not have; declare an instance of the other block in this one",
+            "isto pertence a classes, que o unoclp não tem; declare neste bloco uma instância do outro",
+        ),
+        "NAMESPACE" => (
+            "unoclp has no namespaces; write the units without it",
+            "o unoclp não tem namespaces; escreva as unidades sem isto",
+        ),
+        "INITIAL_STEP" | "STEP" | "TRANSITION" | "ACTION" => (
+            "it belongs to SFC, which Structured Text does not have; write CASE with a variable that holds the step",
+            "isto pertence ao SFC, que o Texto Estruturado não tem; escreva CASE com uma variável que guarda a etapa",
+        ),
+        _ => return None,
+    })
+}
+
+impl Parser<'_, '_> {
+    /// Tells a word that belongs to another dialect, with a name behind it, and reads no further: one mistake, one message.
+    pub(super) fn other_dialect(&mut self) -> bool {
+        let token = self.token();
+        let begins = !self.list
+            && token.kind == Kind::Word
+            && self.keyword() == Keyword::None
+            && self.ahead(1).kind == Kind::Word;
+        let upper = match begins {
+            true => self.slice(token.span).to_uppercase(),
+            false => return false,
+        };
+        let Some(help) = meaning(&upper) else {
+            return false;
+        };
+        self.tell(Code::StUnsupported, token.span, [upper.into(), help.into()]);
+        self.dead = true;
+        true
+    }
+}
