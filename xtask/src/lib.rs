@@ -19,6 +19,7 @@ pub mod link;
 mod long;
 pub mod modules;
 pub mod mulcheck;
+pub mod mutants;
 pub mod node;
 pub mod notice;
 pub mod parts;

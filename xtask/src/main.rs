@@ -4,7 +4,8 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use xtask::{
-    bench, card, demo, dist, firmware, flash, fuzz, lab, modules, notice, rulings, setup, test,
+    bench, card, demo, dist, firmware, flash, fuzz, lab, modules, mutants, notice, rulings, setup,
+    test,
 };
 
 /// Builds, shows and tests unoclp
@@ -35,6 +36,8 @@ enum Task {
     Notice,
     /// Show circles of modules in each crate
     Modules,
+    /// Change the source a little, see whether a test notices it, and write docs/mutants.md
+    Mutants(mutants::Args),
     /// Write docs/rulings.md: which tests name which ruling of the numeric code
     Rulings,
     /// Install what demo, test and firmware need, or say what is missing
@@ -67,6 +70,7 @@ fn main() -> ExitCode {
         Task::Dist => dist::run(),
         Task::Notice => notice::run(),
         Task::Modules => modules::run(),
+        Task::Mutants(args) => mutants::run(&args),
         Task::Rulings => rulings::run(),
         Task::Setup => setup::run(),
     };

@@ -110,6 +110,11 @@ const TESTS: &[Need] = &[
         // Its `--version` says that it has failed.
         output(Command::new("sh").args(["-c", "command -v mosquitto_sub"])).is_some()
     }),
+    need("libfaketime", "setting a gateway's clock back", |_| {
+        let machines = std::fs::read_dir("/usr/lib").into_iter().flatten();
+        let library = |of: std::fs::DirEntry| of.path().join("faketime/libfaketimeMT.so.1");
+        machines.flatten().any(|of| library(of).is_file())
+    }),
     need("curl", "asking an encrypted page", |_| exists("curl")),
     need("postgresql", "keeping a history in a database", |_| {
         // No path leads to its programs.

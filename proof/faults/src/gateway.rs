@@ -61,9 +61,10 @@ impl Place {
     }
 }
 
-/// Counts on from what is there: the value of each sample is its number. Says after each commit how far it is, and when the
-/// disk takes nothing, and does again. At `end` from its standard input it ends as a service does; at `finish` it counts no more, waits until
-/// history and broker have all, and says so.
+/// Counts on from what is there: the value of each sample is its number, as its moment is. Says after each commit how far it
+/// is, and when the disk takes nothing, and does again. From `unplug` to `plug` on its standard input the board is away: one
+/// sample without a value says so. At `end` it ends as a service does; at `finish` it counts no more, waits until history and
+/// broker have all, and says so.
 pub fn count(place: &Place) {
     let file = File::open(&place.folder.join("j")).expect("the journal is there");
     let mut next = file.last() + 1;
@@ -87,18 +88,38 @@ pub fn count(place: &Place) {
     let carry = Arc::new(|_, _: Box<dyn FnOnce(_) + Send>| ());
     let reporter = Reporter::begin(&site, mqtt, None, &journal, carry, Arc::new(|_| ()));
     let reporter = reporter.unwrap_or_else(|why| panic!("{why:?}"));
-    let (ends, finishes) = told();
-    while !ends.load(Ordering::Relaxed) && !finishes.load(Ordering::Relaxed) {
-        let last = next + BATCH;
-        journal.put(
-            (next..last)
-                .map(|number| sample(&place.name, number))
-                .collect(),
-        );
-        next = last;
-        while history.last() + 1 < next && !ends.load(Ordering::Relaxed) {
+    let Told {
+        ends,
+        finishes,
+        away,
+    } = told();
+    let put = |samples: Vec<Sample>| {
+        let last = samples.last().map_or(0, |last| last.at.cast_unsigned());
+        journal.put(samples);
+        while history.last() < last && !ends.load(Ordering::Relaxed) {
             std::thread::yield_now();
         }
+    };
+    while !ends.load(Ordering::Relaxed) && !finishes.load(Ordering::Relaxed) {
+        if away.load(Ordering::Relaxed) {
+            reporter.presence(&place.name, false);
+            put(vec![Sample {
+                value: None,
+                ..sample(&place.name, next)
+            }]);
+            next += 1;
+            println!("away {}", history.last());
+            while away.load(Ordering::Relaxed) && !ends.load(Ordering::Relaxed) {
+                std::thread::yield_now();
+            }
+            reporter.presence(&place.name, true);
+            println!("back");
+        }
+        let last = next + BATCH;
+        put((next..last)
+            .map(|number| sample(&place.name, number))
+            .collect());
+        next = last;
         println!("committed {}", history.last());
     }
     if finishes.load(Ordering::Relaxed) {
@@ -124,20 +145,29 @@ fn sample(board: &str, number: u64) -> Sample {
     }
 }
 
-/// What is said on the standard input: to end, to finish.
-fn told() -> (Arc<AtomicBool>, Arc<AtomicBool>) {
-    let (ends, finishes) = (Arc::<AtomicBool>::default(), Arc::<AtomicBool>::default());
-    let (end, finish) = (ends.clone(), finishes.clone());
+/// What is said on the standard input: to end, to finish, and that the board is away.
+#[derive(Clone, Default)]
+struct Told {
+    ends: Arc<AtomicBool>,
+    finishes: Arc<AtomicBool>,
+    away: Arc<AtomicBool>,
+}
+
+fn told() -> Told {
+    let told = Told::default();
+    let tell = told.clone();
     std::thread::spawn(move || {
         for line in std::io::stdin().lock().lines().map_while(Result::ok) {
             match &*line {
-                "end" => end.store(true, Ordering::Relaxed),
-                "finish" => finish.store(true, Ordering::Relaxed),
+                "end" => tell.ends.store(true, Ordering::Relaxed),
+                "finish" => tell.finishes.store(true, Ordering::Relaxed),
+                "unplug" => tell.away.store(true, Ordering::Relaxed),
+                "plug" => tell.away.store(false, Ordering::Relaxed),
                 _ => {}
             }
         }
         // Whoever began it is gone.
-        end.store(true, Ordering::Relaxed);
+        tell.ends.store(true, Ordering::Relaxed);
     });
-    (ends, finishes)
+    told
 }

@@ -31,7 +31,7 @@ fn alarms(text: &str) -> Vec<Alarm> {
 type Heard = Receiver<(State, Option<Turn>)>;
 
 fn begin(path: &Path, text: &str) -> (Alarms, Heard) {
-    let record = Record::begin(path, Box::new(|_| ())).unwrap();
+    let record = Record::begin(path, u64::MAX, Box::new(|_| ())).unwrap();
     let (send, heard) = channel();
     let hear = move |of: &unoclp_alarm::Standing, turn| {
         // At the end of a test nobody listens.

@@ -27,7 +27,7 @@ pub fn record(file: &Path, site: &Site) -> anyhow::Result<Option<Arc<Record>>> {
         Some(why) => println!("{}", messages::record_failure(&told, why)),
         None => println!("{}", messages::history_again(shown(&told))),
     });
-    let begun = Record::begin(&path, tell);
+    let begun = Record::begin(&path, site.record_bound, tell);
     let record = begun.map_err(|why| anyhow!(messages::record_failure(&path, &why)))?;
     Ok(Some(Arc::new(record)))
 }

@@ -136,10 +136,11 @@ fn of_record(record: &Record) -> Vec<Metric> {
         ),
         number(
             "record_dropped_total",
-            "The same, as far as it was given up, since the record took nothing for too long",
+            "The same, as far as it was given up, since the record took nothing for too long, or went as the oldest",
             true,
             state.dropped,
         ),
+        number("record_bytes", "Bytes of the record", false, state.bytes),
         number(
             "record_failing",
             "Whether the record takes nothing at present",

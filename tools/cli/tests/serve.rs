@@ -11,6 +11,8 @@ mod database;
 #[allow(unused_imports, reason = "each test uses its part")]
 mod pty;
 
+#[path = "serve/astray.rs"]
+mod astray;
 #[path = "serve/steps.rs"]
 mod steps;
 

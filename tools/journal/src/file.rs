@@ -3,6 +3,7 @@
 use crate::bound::{up_to, used};
 use crate::entry::{Entry, Sample};
 use crate::failure::Failure;
+use crate::points::point;
 pub use crate::readers::Place;
 use crate::readers::{Readers, drop_up_to, taken_by_all};
 use rusqlite::{Connection, OptionalExtension, Transaction, params};
@@ -261,18 +262,6 @@ fn first(file: &Connection) -> Result<Option<u64>, rusqlite::Error> {
     let mut first = file.prepare_cached("SELECT n FROM entry ORDER BY n LIMIT 1")?;
     let first: Option<i64> = first.query_row([], |row| row.get(0)).optional()?;
     Ok(first.map(unsigned))
-}
-
-/// The number of a sample's point, a new one where it has none.
-fn point(all: &Transaction<'_>, sample: &Sample) -> Result<i64, rusqlite::Error> {
-    let names = [&sample.board, &sample.point];
-    let mut known = all.prepare_cached("SELECT id FROM point WHERE board = ? AND name = ?")?;
-    if let Some(id) = known.query_row(names, |row| row.get(0)).optional()? {
-        return Ok(id);
-    }
-    all.prepare_cached("INSERT INTO point (board, name) VALUES (?, ?)")?
-        .execute(names)?;
-    Ok(all.last_insert_rowid())
 }
 
 /// SQLite counts with a sign; no journal lives to need it.

@@ -1,4 +1,4 @@
-//! The file: two tables that SQLite itself lets only grow.
+//! One file: two tables that SQLite itself lets only grow.
 
 use crate::row::{Asked, Deed, Happening, Row};
 use rusqlite::{Connection, OpenFlags, params};
@@ -29,7 +29,7 @@ const FORM: &str = "
 
 /// A file of what happened.
 #[derive(Debug)]
-pub struct File(Connection);
+pub(crate) struct File(Connection);
 
 impl File {
     /// Opens this file, and makes it where it is not there.
@@ -44,15 +44,20 @@ impl File {
         file.pragma_update(None, "journal_mode", "WAL")?;
         file.pragma_update(None, "synchronous", "FULL")?;
         if is_new {
-            let form = file.transaction()?;
-            form.execute_batch(FORM)?;
-            form.pragma_update(None, "application_id", OURS)?;
-            form.pragma_update(None, "user_version", VERSION)?;
-            form.commit()?;
+            make(&mut file, &[])?;
         }
         // Says now whether it may be written, not once something has happened.
         file.execute_batch("BEGIN IMMEDIATE; ROLLBACK")?;
         Ok(File(file))
+    }
+
+    /// Makes this file, which is not there, the one after another, of which these were the last of each alarm.
+    ///
+    /// # Errors
+    /// [`Failure`].
+    pub fn make(path: &Path, before: &[Happening]) -> Result<(), Failure> {
+        let mut file = Connection::open(path)?;
+        make(&mut file, before)
     }
 
     /// The same to read alone, beside whoever writes.
@@ -66,6 +71,29 @@ impl File {
             true => Ok(File(file)),
             false => Err(Failure::Foreign),
         }
+    }
+
+    /// How large it is, bytes.
+    ///
+    /// # Errors
+    /// [`Failure`].
+    pub fn bytes(&self) -> Result<u64, Failure> {
+        let number = |name| {
+            self.0
+                .pragma_query_value(None, name, |row| row.get::<_, i64>(0))
+        };
+        Ok(u64::try_from(number("page_count")? * number("page_size")?).unwrap_or(0))
+    }
+
+    /// How many rows it has.
+    ///
+    /// # Errors
+    /// [`Failure`].
+    pub fn count(&self) -> Result<u64, Failure> {
+        // None is ever removed, so the last number counts them.
+        let sql = "SELECT max(0, ifnull((SELECT max(n) FROM alarm), 0)) + ifnull((SELECT max(n) FROM deed), 0)";
+        let count: i64 = self.0.query_row(sql, [], |row| row.get(0))?;
+        Ok(u64::try_from(count).unwrap_or(0))
     }
 
     /// Writes these rows, all or none of them.
@@ -106,7 +134,8 @@ impl File {
     /// [`Failure`].
     pub fn alarms(&self, asked: &Asked) -> Result<Vec<Happening>, Failure> {
         let mut rows = self.0.prepare_cached(
-            "SELECT at, alarm, change, state, who FROM (SELECT * FROM alarm WHERE at >= ? AND at < ? ORDER BY n DESC LIMIT ?)
+            "SELECT at, alarm, change, state, who FROM
+             (SELECT * FROM alarm WHERE n > 0 AND at >= ? AND at < ? ORDER BY n DESC LIMIT ?)
              ORDER BY n",
         )?;
         let rows = rows.query_map(params![asked.from, asked.to, most(asked)], happening)?;
@@ -134,6 +163,22 @@ impl File {
         })?;
         Ok(rows.collect::<Result<_, _>>()?)
     }
+}
+
+/// The tables of a new file. How the alarms stood before has numbers below 1.
+fn make(file: &mut Connection, before: &[Happening]) -> Result<(), Failure> {
+    let form = file.transaction()?;
+    form.execute_batch(FORM)?;
+    for (n, of) in (0..).map(|at: i64| -at).zip(before.iter().rev()) {
+        form.execute(
+            "INSERT INTO alarm VALUES (?, ?, ?, ?, ?, ?)",
+            params![n, of.at, of.alarm, of.change, of.state, of.who],
+        )?;
+    }
+    form.pragma_update(None, "application_id", OURS)?;
+    form.pragma_update(None, "user_version", VERSION)?;
+    form.commit()?;
+    Ok(())
 }
 
 fn happening(row: &rusqlite::Row<'_>) -> Result<Happening, rusqlite::Error> {

@@ -1,6 +1,6 @@
 //! A file that is open: who puts rows, and who asks for them.
 
-use crate::file::File;
+use crate::files::Files;
 use crate::row::{Asked, Deed, Happening, Row};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
@@ -22,8 +22,10 @@ pub type Tell = Box<dyn Fn(Option<&Failure>) + Send>;
 pub struct State {
     /// Rows that are written.
     pub written: u64,
-    /// Rows that were given up.
+    /// Rows that were given up, as the file took nothing for too long, or that went as the oldest.
     pub dropped: u64,
+    /// How large the files are.
+    pub bytes: u64,
     /// Why the file takes nothing at present.
     pub failure: Option<Failure>,
 }
@@ -50,16 +52,21 @@ impl std::fmt::Debug for Record {
 }
 
 impl Record {
-    /// Opens this file, and makes it where it is not there. `tell` hears when it takes nothing.
+    /// Opens the record at this path, and makes it where it is not there. It gets as large as `bound` bytes; then the oldest
+    /// half goes. `tell` hears when it takes nothing.
     ///
     /// # Errors
     /// [`Failure`].
-    pub fn begin(path: &Path, tell: Tell) -> Result<Record, Failure> {
-        let file = File::open(path)?;
+    pub fn begin(path: &Path, bound: u64, tell: Tell) -> Result<Record, Failure> {
+        let files = Files::open(path, bound)?;
         let (send, puts) = sync_channel(WAITING);
-        let state = Arc::new(Mutex::new(State::default()));
+        let state = State {
+            bytes: files.bytes(),
+            ..State::default()
+        };
+        let state = Arc::new(Mutex::new(state));
         let writer = Writer {
-            file,
+            files,
             state: state.clone(),
             tell,
             waiting: Vec::new(),
@@ -113,7 +120,7 @@ impl Record {
     /// # Errors
     /// [`Failure`].
     pub fn last(&self) -> Result<Vec<Happening>, Failure> {
-        File::read(&self.path)?.last()
+        Files::read(&self.path)?.last()
     }
 
     /// What became of alarms.
@@ -121,7 +128,7 @@ impl Record {
     /// # Errors
     /// [`Failure`].
     pub fn alarms(&self, asked: &Asked) -> Result<Vec<Happening>, Failure> {
-        File::read(&self.path)?.alarms(asked)
+        Files::read(&self.path)?.alarms(asked)
     }
 
     /// What was done.
@@ -129,7 +136,7 @@ impl Record {
     /// # Errors
     /// [`Failure`].
     pub fn deeds(&self, asked: &Asked) -> Result<Vec<Deed>, Failure> {
-        File::read(&self.path)?.deeds(asked)
+        Files::read(&self.path)?.deeds(asked)
     }
 
     /// How it stands.
@@ -154,7 +161,7 @@ impl Drop for Record {
 }
 
 struct Writer {
-    file: File,
+    files: Files,
     state: Arc<Mutex<State>>,
     tell: Tell,
     waiting: Vec<Row>,
@@ -199,12 +206,15 @@ impl Writer {
         if self.waiting.is_empty() {
             return true;
         }
-        let written = self.file.append(&self.waiting);
+        let written = self.files.append(&self.waiting);
+        let bytes = self.files.bytes();
         let mut state = lock(&self.state);
         let before = state.failure.take();
         match written {
-            Ok(()) => {
+            Ok(gone) => {
                 state.written += self.waiting.len() as u64;
+                state.dropped += gone;
+                state.bytes = bytes;
                 drop(state);
                 self.waiting.clear();
                 if before.is_some() {
@@ -236,7 +246,7 @@ mod tests {
     fn what_is_settled_is_in_the_file_while_it_is_open() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("r");
-        let record = Record::begin(&path, Box::new(|_| ())).unwrap();
+        let record = Record::begin(&path, u64::MAX, Box::new(|_| ())).unwrap();
         for at in 0..20 {
             record.deed(Deed {
                 at,
@@ -253,7 +263,7 @@ mod tests {
                 to: i64::MAX,
                 most: 1,
             };
-            assert_eq!(File::read(&path).unwrap().deeds(&asked).unwrap().len(), 1);
+            assert_eq!(Files::read(&path).unwrap().deeds(&asked).unwrap().len(), 1);
         }
         record.end();
         record.settle();

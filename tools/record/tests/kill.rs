@@ -22,7 +22,7 @@ fn happening(at: i64, alarm: &str, state: &str) -> Happening {
 fn what_was_last_is_known_to_who_comes_after() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("site.record");
-    let record = Record::begin(&path, Box::new(|_| ())).unwrap();
+    let record = Record::begin(&path, u64::MAX, Box::new(|_| ())).unwrap();
     record.alarm(happening(1, "hot", "active"));
     record.alarm(happening(2, "cold", "active"));
     record.alarm(happening(3, "hot", "normal"));
@@ -40,7 +40,7 @@ fn what_was_last_is_known_to_who_comes_after() {
     assert_eq!(record.state().written, 5);
     record.alarm(happening(9, "hot", "active"));
     assert_eq!(record.state().dropped, 1, "nobody writes any more");
-    let record = Record::begin(&path, Box::new(|_| ())).unwrap();
+    let record = Record::begin(&path, u64::MAX, Box::new(|_| ())).unwrap();
     let last = record.last().unwrap();
     let last: Vec<_> = last.iter().map(|of| (&*of.alarm, &*of.state)).collect();
     assert_eq!(last, [("hot", "normal"), ("cold", "gone")]);
@@ -52,7 +52,7 @@ fn what_was_last_is_known_to_who_comes_after() {
 fn a_file_of_something_else_is_refused_and_left_as_it_is() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("x");
-    let begin = || Record::begin(&path, Box::new(|_| ())).map(drop);
+    let begin = || Record::begin(&path, u64::MAX, Box::new(|_| ())).map(drop);
     let text = "not a database ".repeat(100);
     std::fs::write(&path, &text).unwrap();
     assert_eq!(begin(), Err(Failure::Foreign));

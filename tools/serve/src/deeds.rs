@@ -299,7 +299,7 @@ mod tests {
     #[test]
     fn what_a_machine_writes_again_is_recorded_once() {
         let folder = tempfile::tempdir().unwrap();
-        let record = Record::begin(&folder.path().join("r"), Box::new(|_| ())).unwrap();
+        let record = Record::begin(&folder.path().join("r"), u64::MAX, Box::new(|_| ())).unwrap();
         let deeds = Deeds::new(Some(Arc::new(record)));
         let from = "10.0.0.7".parse().unwrap();
         for value in [5, 5, 6, 6, 5] {
@@ -337,7 +337,7 @@ mod tests {
     #[test]
     fn a_machine_that_writes_without_end_fills_no_disk() {
         let folder = tempfile::tempdir().unwrap();
-        let record = Record::begin(&folder.path().join("r"), Box::new(|_| ())).unwrap();
+        let record = Record::begin(&folder.path().join("r"), u64::MAX, Box::new(|_| ())).unwrap();
         let deeds = Deeds::new(Some(Arc::new(record)));
         (0..1_000).for_each(|value| deeds.broker("one", "target", value.into()));
         let key = (By::Broker, "one".to_owned(), "target".to_owned());

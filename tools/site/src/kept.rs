@@ -1,4 +1,4 @@
-//! The tables `history` and `journal` of a site file.
+//! The tables `history`, `journal` and `record` of a site file.
 
 use crate::broker::Secret;
 use crate::database::Server;
@@ -17,6 +17,8 @@ const OF_SERVER: [&str; 3] = ["password", "ca", "tls"];
 const EVERY: Duration = Duration::from_millis(200);
 /// How large the journal gets at most, unless the file says otherwise.
 const BOUND: u64 = 256_000_000;
+/// The same of the record.
+const RECORD_BOUND: u64 = 1_000_000_000;
 
 /// The table `history`, as far as it is right.
 pub(crate) fn history(keys: &Keys<'_>) -> Option<History> {
@@ -120,11 +122,21 @@ pub(crate) fn journal(keys: &Keys<'_>, history: Option<&History>) -> Journal {
     }
 }
 
-fn bound(journal: &Keys<'_>) -> Option<u64> {
-    let At { value, place } = journal.text("bound", "\"256MB\"")?;
+/// How large the record gets at most, bytes, whether there is one or not.
+pub(crate) fn record_bound(keys: &Keys<'_>) -> u64 {
+    let record = keys.table("record", "{ bound = \"1GB\" }");
+    let given = record.and_then(|record| {
+        record.known(&["bound"]);
+        bound(&record)
+    });
+    given.unwrap_or(RECORD_BOUND)
+}
+
+fn bound(of: &Keys<'_>) -> Option<u64> {
+    let At { value, place } = of.text("bound", "\"256MB\"")?;
     let bytes = size(&value).filter(|bytes| (1_000_000..=1_000_000_000_000).contains(bytes));
     if bytes.is_none() {
-        journal.notes.wrong(&place, Wrong::NoSize { given: value });
+        of.notes.wrong(&place, Wrong::NoSize { given: value });
     }
     bytes
 }

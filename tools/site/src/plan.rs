@@ -50,6 +50,9 @@ pub fn plan(site: &Site, lang: Lang) -> String {
     let of_files = site.panels.iter().filter(|panel| !panel.is_made);
     lines.extend(of_files.map(|of| words::panel(lang, &of.name, of.items.len() + of.binds.len())));
     lines.extend(site.users.iter().map(|of| user(of, lang)));
+    if site.has_record() {
+        lines.push(words::record(lang, size::written(site.record_bound)));
+    }
     lines.iter().map(|line| format!("{line}\n")).collect()
 }
 

@@ -3,7 +3,7 @@
 use crate::alarms::alarms;
 use crate::files::Files;
 use crate::grants::grants;
-use crate::kept::{history, journal};
+use crate::kept::{history, journal, record_bound};
 use crate::keys::{Amiss, At, Keys, address};
 use crate::lines::lines;
 use crate::mistake::{Mistake, Wrong};
@@ -21,7 +21,8 @@ use unoclp_keyed::keyed;
 pub fn read(text: &str, files: &dyn Files) -> Result<Site, Vec<Mistake>> {
     keyed(text, |keys: &Keys<'_>| {
         keys.known(&[
-            "http", "line", "modbus", "mqtt", "history", "journal", "alarm", "panel", "user",
+            "http", "line", "modbus", "mqtt", "history", "journal", "record", "alarm", "panel",
+            "user",
         ]);
         site(keys, files)
     })
@@ -45,6 +46,7 @@ fn site(keys: &Keys<'_>, files: &dyn Files) -> Site {
         modbus,
         mqtt,
         journal: journal(keys, history.as_ref()),
+        record_bound: record_bound(keys),
         history,
         alarms,
         panels,

@@ -26,6 +26,8 @@ pub struct Site {
     pub history: Option<History>,
     /// What was read of the boards, until history and broker have it.
     pub journal: Journal,
+    /// How large the record of what happens gets at most, bytes.
+    pub record_bound: u64,
     /// The alarms, each with a name of its own.
     pub alarms: Vec<Alarm>,
     /// The panels: those of files, then those that boards have without one.

@@ -174,6 +174,9 @@ unoclp_words::messages! {
     journal(every, bound)
         "journal: on disk every {every}, at most {bound}"
         "diário: no disco a cada {every}, no máximo {bound}";
+    record(bound)
+        "record: at most {bound}; then the oldest half goes"
+        "livro de ocorrências: no máximo {bound}; depois a metade mais antiga sai";
     modbus_reads(address)
         "Modbus TCP: {address}, read only"
         "Modbus TCP: {address}, só leitura";

@@ -45,7 +45,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqqt]\n"),
             5,
-            "no key `mqqt` here; there is `http`, `line`, `modbus`, `mqtt`, `history`, `journal`, `alarm`, `panel`, `user`",
+            "no key `mqqt` here; there is `http`, `line`, `modbus`, `mqtt`, `history`, `journal`, `record`, `alarm`, `panel`, `user`",
         ),
         (
             with("[mqtt]\n"),
@@ -300,6 +300,11 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             with("[journal]\nbound = \"10kB\"\n"),
             6,
             "10kB is not a size from 1MB to 1000GB; write \"256MB\"",
+        ),
+        (
+            with("[record]\nbound = 5\n"),
+            6,
+            "`bound` takes another kind",
         ),
         (granted("x"), 8, "x names no point; write board and point"),
         (granted("y.valve"), 8, "there is no board y; there is x"),

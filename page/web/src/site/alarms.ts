@@ -57,7 +57,7 @@ export class Alarms {
         : null,
     ]);
     const heads = [say("columnAlarm"), say("columnState"), say("columnSeverity"), say("columnSince"), say("columnWho"), say("alarmAcknowledge")];
-    this.now.replaceChildren(h("h2", {}, say("alarmNow")), alarms.length > 0 ? table(say("alarmNow"), heads, rows) : h("p", { class: "empty" }, say("alarmsNone")));
+    this.now.replaceChildren(h("h3", {}, say("alarmNow")), alarms.length > 0 ? table(say("alarmNow"), heads, rows) : h("p", { class: "empty" }, say("alarmsNone")));
     void this.past();
   }
 
@@ -77,7 +77,7 @@ export class Alarms {
       const past = await ask<readonly AlarmPast[]>("api/alarms/history?most=200");
       const rows = [...past].reverse().map((row) => [moment(row.at), row.alarm, say(CHANGES[row.change] ?? "alarmCame"), row.who ?? "–"]);
       const heads = [say("columnWhen"), say("columnAlarm"), say("columnWhat"), say("columnWho")];
-      this.before.replaceChildren(h("h2", {}, say("alarmBefore")), h("p", { class: "row" }, saves("api/alarms/history.csv", "alarms.csv")),
+      this.before.replaceChildren(h("h3", {}, say("alarmBefore")), h("p", { class: "row" }, saves("api/alarms/history.csv", "alarms.csv")),
         rows.length > 0 ? table(say("alarmBefore"), heads, rows) : h("p", { class: "empty" }, say("recordEmpty")));
     } catch (error) {
       // Without a record nothing is told; what is busy is asked with the next change.

@@ -156,7 +156,7 @@ export class Panels {
 
   private trend(item: Item): HTMLElement {
     const place = h("div", { class: "item-trend" });
-    const chart = new Chart(place, undefined, 70 * item.size[1]);
+    const chart = new Chart(place, undefined, 96 * item.size[1] - 30);
     const draw = async (): Promise<void> => {
       const to = Date.now();
       try {

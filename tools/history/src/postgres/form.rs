@@ -1,7 +1,7 @@
 //! The tables of a database, all in the schema `unoclp`.
 
 use super::failure::failure;
-use ::postgres::{Client, GenericClient};
+use ::postgres::{Client, GenericClient, Transaction};
 use unoclp_journal::Failure;
 
 /// The version of the form. Another one is refused as it is.
@@ -24,6 +24,9 @@ const FORM: &str = "
         FROM unoclp.sample JOIN unoclp.point ON point.id = sample.point;
 ";
 
+/// A chunk of samples has those of a week, where TimescaleDB is installed: ms.
+const CHUNK: i64 = 7 * 86_400_000;
+
 /// Makes the tables where they are not there.
 pub(super) fn bring(client: &mut Client) -> Result<(), Failure> {
     let mut all = client.transaction().map_err(failure)?;
@@ -33,8 +36,29 @@ pub(super) fn bring(client: &mut Client) -> Result<(), Failure> {
         true => checked(&mut all),
         false => {
             all.batch_execute(FORM).map_err(failure)?;
+            divide(&mut all)?;
             all.commit().map_err(failure)
         }
+    }
+}
+
+/// Where the database has TimescaleDB, it keeps the samples in chunks, each with its own index. Where it does not take them,
+/// the table stays one: samples go there all the same.
+fn divide(all: &mut Transaction<'_>) -> Result<(), Failure> {
+    let sql = "SELECT quote_ident(nspname) FROM pg_extension JOIN pg_namespace ON pg_namespace.oid = extnamespace
+        WHERE extname = 'timescaledb'";
+    let Some(found) = all.query_opt(sql, &[]).map_err(failure)? else {
+        return Ok(());
+    };
+    let schema: String = found.get(0);
+    let sql = format!(
+        "SELECT {schema}.create_hypertable('unoclp.sample', 'at', chunk_time_interval => {CHUNK}::bigint,
+            create_default_indexes => false)"
+    );
+    let mut tried = all.transaction().map_err(failure)?;
+    match tried.batch_execute(&sql) {
+        Ok(()) => tried.commit().map_err(failure),
+        Err(_) => tried.rollback().map_err(failure),
     }
 }
 

@@ -1,8 +1,8 @@
 //! How samples come in: at the end of one table, and from there, many at a time, among those of their points.
 
-use rusqlite::{Connection, OptionalExtension, Transaction, params};
+use rusqlite::{Connection, Transaction, params};
 use std::collections::HashMap;
-use unoclp_journal::{Failure, Sample};
+use unoclp_journal::{Failure, Sample, point};
 
 /// Once so many samples stand as they came, they are sorted in. Who reads looks through all of them.
 const SORTED_AT: i64 = 50_000;
@@ -79,15 +79,4 @@ impl Points {
         board.insert(sample.point.clone(), id);
         Ok(id)
     }
-}
-
-fn point(all: &Transaction<'_>, sample: &Sample) -> Result<i64, rusqlite::Error> {
-    let names = [&sample.board, &sample.point];
-    let mut known = all.prepare_cached("SELECT id FROM point WHERE board = ? AND name = ?")?;
-    if let Some(id) = known.query_row(names, |row| row.get(0)).optional()? {
-        return Ok(id);
-    }
-    all.prepare_cached("INSERT INTO point (board, name) VALUES (?, ?)")?
-        .execute(names)?;
-    Ok(all.last_insert_rowid())
 }

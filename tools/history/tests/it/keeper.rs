@@ -93,6 +93,41 @@ fn a_database_that_is_killed_again_and_again_has_each_sample_once() {
 }
 
 #[test]
+fn a_database_without_room_is_waited_for_and_has_each_sample_once() {
+    let server = Server::tight(32);
+    let database = Database::Server(server.database("a"));
+    let folder = tempfile::tempdir().unwrap();
+    let journal = journal(folder.path());
+    let (told, hears) = channel();
+    let keeper = keeper(&journal, &database, move |why| {
+        let _ = told.send(why.cloned());
+    });
+    journal.put((0..100).map(sample).collect());
+    while keeper.state().taken < 100 {
+        std::thread::yield_now();
+    }
+    server.psql(
+        "a",
+        "CREATE TABLE ballast (t text) WITH (autovacuum_enabled = off)",
+    );
+    let fills = "DO $$ BEGIN LOOP INSERT INTO ballast SELECT repeat(md5(i::text), 50) FROM generate_series(1, 100) AS i; END LOOP;
+        EXCEPTION WHEN disk_full THEN NULL; END $$";
+    server.psql("a", fills);
+    journal.put((100..20_000).map(sample).collect());
+    assert_eq!(hears.recv().unwrap(), Some(Failure::Full));
+    assert_eq!(keeper.state().failure, Some(Failure::Full));
+    assert!(journal.reader("history").place() < 20_000);
+    server.psql("a", "DROP TABLE ballast");
+    assert_eq!(hears.recv().unwrap(), None);
+    journal.end();
+    keeper.end();
+    assert_eq!(
+        numbers(&mut *database.open().unwrap()),
+        (0..20_000).collect::<Vec<_>>()
+    );
+}
+
+#[test]
 fn what_waits_in_the_journal_outlasts_a_restart_of_the_gateway() {
     let folder = tempfile::tempdir().unwrap();
     let away = Database::File(folder.path().join("none/h.db"));

@@ -50,6 +50,48 @@ fn a_database_holds_what_a_file_holds() {
     assert_eq!(store.take("s", &entry), Err(Failure::ReadOnly));
 }
 
+/// TimescaleDB is not in Debian. What stands here for it has its name, and notes what it is asked.
+#[test]
+fn where_timescaledb_is_installed_samples_are_in_chunks() {
+    let server = Server::new();
+    let known = "INSERT INTO pg_extension (oid, extname, extowner, extnamespace, extrelocatable, extversion)
+        VALUES (99999, 'timescaledb', 10, 'scale'::regnamespace, false, '2.17.2')";
+    // The first parameters, and those by name, as in its documentation.
+    let function = |does: &str| {
+        format!(
+            "CREATE FUNCTION scale.create_hypertable(relation regclass, time_column_name name, partitioning_column name = NULL,
+                chunk_time_interval anyelement = NULL::bigint, create_default_indexes boolean = true) RETURNS text
+                LANGUAGE plpgsql AS $$ BEGIN {does}; RETURN 'done'; END $$"
+        )
+    };
+    let told = "SELECT relation = 'unoclp.sample'::regclass, name, each FROM scale.asked";
+    for (name, does, asked) in [
+        (
+            "chunks",
+            "INSERT INTO scale.asked VALUES (relation, time_column_name, chunk_time_interval)",
+            "t|at|604800000",
+        ),
+        ("refused", "RAISE EXCEPTION 'no licence'", ""),
+    ] {
+        let address = server.database(name);
+        for sql in [
+            "CREATE SCHEMA scale",
+            "CREATE TABLE scale.asked (relation regclass, name name, each bigint)",
+            &*function(does),
+            known,
+        ] {
+            server.psql(name, sql);
+        }
+        let mut store = Postgres::open(&address).unwrap();
+        assert_eq!(server.psql(name, told), asked);
+        store::changes_come_back_and_steps_of_them(&mut store);
+        // Tables that are there are taken as they are.
+        drop(store);
+        assert!(Postgres::open(&address).is_ok());
+        assert_eq!(server.psql(name, told), asked);
+    }
+}
+
 #[test]
 fn a_file_moves_into_a_database_all_or_nothing() {
     let server = Server::new();

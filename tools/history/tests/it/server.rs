@@ -18,6 +18,8 @@ pub struct Server {
     pub port: u16,
     /// The certificate of one that takes encrypted connections alone.
     certificate: Option<String>,
+    /// Where it has a disk of its own, of so many MB.
+    tight: Option<(PathBuf, u32)>,
 }
 
 /// Where Debian keeps the programs of the server: no path leads there.
@@ -30,12 +32,8 @@ fn program(name: &str) -> PathBuf {
 
 /// The server lets no root begin it.
 fn command(name: &str) -> Command {
-    let is_root = std::fs::metadata("/proc/self").is_ok_and(|of| {
-        use std::os::unix::fs::MetadataExt;
-        of.uid() == 0
-    });
     let program = program(name);
-    if !is_root {
+    if !is_root() {
         return Command::new(program);
     }
     let mut command = Command::new("setpriv");
@@ -49,6 +47,28 @@ fn command(name: &str) -> Command {
         ])
         .arg(program);
     command
+}
+
+fn is_root() -> bool {
+    std::fs::metadata("/proc/self").is_ok_and(|of| {
+        use std::os::unix::fs::MetadataExt;
+        of.uid() == 0
+    })
+}
+
+/// The same command with a file system in memory at this folder, of so many MB: it alone sees it.
+fn on_disk(command: &Command, folder: &Path, megabytes: u32) -> Command {
+    let owner = if is_root() { "postgres" } else { "" };
+    let mount = format!(
+        "mount -t tmpfs -o size={megabytes}m,mode=700,uid=$(id -u {owner}),gid=$(id -g {owner}) tight \"$0\" && exec \"$@\""
+    );
+    let mut own = Command::new("unshare");
+    if !is_root() {
+        own.args(["--user", "--map-current-user", "--keep-caps"]);
+    }
+    own.args(["--mount", "sh", "-c", &mount]).arg(folder);
+    own.arg(command.get_program()).args(command.get_args());
+    own
 }
 
 fn give_away(folder: &Path) {
@@ -104,15 +124,24 @@ fn copy(from: &Path, to: &Path) {
 
 impl Server {
     pub fn new() -> Server {
-        Server::of(None)
+        Server::of(None, None)
+    }
+
+    /// One with a tablespace `tight` on a disk of so many MB, which is gone when it ends.
+    pub fn tight(megabytes: u32) -> Server {
+        let server = Server::of(None, Some(megabytes));
+        let (disk, _) = server.tight.as_ref().unwrap();
+        let sql = format!("CREATE TABLESPACE tight LOCATION '{}'", disk.display());
+        server.psql("postgres", &sql);
+        server
     }
 
     /// One that takes encrypted connections alone, with this certificate and its key. Its user `gateway` needs a password.
     pub fn encrypted(certificate: &str, key: &str) -> Server {
-        Server::of(Some((certificate, key)))
+        Server::of(Some((certificate, key)), None)
     }
 
-    fn of(tls: Option<(&str, &str)>) -> Server {
+    fn of(tls: Option<(&str, &str)>, tight: Option<u32>) -> Server {
         let folder = tempfile::tempdir().unwrap();
         give_away(folder.path());
         let data = folder.path().join("data");
@@ -131,6 +160,11 @@ impl Server {
                 give_away(&path);
             }
         }
+        let tight = tight.map(|megabytes| {
+            let disk = folder.path().join("tight");
+            std::fs::create_dir(&disk).unwrap();
+            (disk, megabytes)
+        });
         let free = TcpListener::bind("127.0.0.1:0").unwrap();
         let port = free.local_addr().unwrap().port();
         drop(free);
@@ -139,6 +173,7 @@ impl Server {
             child: None,
             port,
             certificate: tls.map(|(certificate, _)| certificate.to_owned()),
+            tight,
         };
         server.begin();
         server
@@ -160,7 +195,11 @@ impl Server {
     }
 
     fn spawn(&self) -> Child {
-        command("postgres")
+        let mut program = match &self.tight {
+            None => command("postgres"),
+            Some((disk, megabytes)) => on_disk(&command("postgres"), disk, *megabytes),
+        };
+        program
             .arg("-D")
             .arg(self.folder.path().join("data"))
             .args(["-p", &self.port.to_string(), "-k", ""])
@@ -189,9 +228,14 @@ impl Server {
         }
     }
 
-    /// Makes a database.
+    /// Makes a database, on the disk of its own if it has one.
     pub fn database(&self, name: &str) -> Address {
-        self.psql("postgres", &format!("CREATE DATABASE {name}"));
+        let at = if self.tight.is_some() {
+            " TABLESPACE tight"
+        } else {
+            ""
+        };
+        self.psql("postgres", &format!("CREATE DATABASE {name}{at}"));
         self.address(name)
     }
 

@@ -73,16 +73,8 @@ impl Home {
         }
         let before = self.told.insert(board.name.clone(), told);
         remove(&mut components, before.unwrap_or_default());
-        let online = |topic: String| json!({ "topic": topic });
-        let config = json!({
-            "dev": { "ids": [id], "name": board.name, "mf": "unoclp", "mdl": "unoclp" },
-            "o": { "name": "unoclp", "sw": env!("CARGO_PKG_VERSION") },
-            "availability": [online(topics.gateway()), online(topics.board(&board.name))],
-            "availability_mode": "all",
-            "qos": 1,
-            "cmps": components,
-        });
-        Some((format!("{ABOVE}/device/{id}/config"), config.to_string()))
+        let online = [topics.gateway(), topics.board(&board.name)];
+        Some(device(&id, &board.name, &online, components))
     }
 
     /// An alarm that this site no longer has.
@@ -133,15 +125,30 @@ impl Home {
         if components.is_empty() {
             return None;
         }
-        let config = json!({
-            "dev": { "ids": [id], "name": self.gateway, "mf": "unoclp", "mdl": "unoclp" },
-            "o": { "name": "unoclp", "sw": env!("CARGO_PKG_VERSION") },
-            "availability": [{ "topic": topics.gateway() }],
-            "qos": 1,
-            "cmps": components,
-        });
-        Some((format!("{ABOVE}/device/{id}/config"), config.to_string()))
+        Some(device(id, id, &[topics.gateway()], components))
     }
+}
+
+/// The topic and the payload that tell of a device. It is there while each of these topics says so.
+fn device(
+    id: &str,
+    name: &str,
+    online: &[String],
+    components: Map<String, Value>,
+) -> (String, String) {
+    let online: Vec<Value> = online
+        .iter()
+        .map(|topic| json!({ "topic": topic }))
+        .collect();
+    let config = json!({
+        "dev": { "ids": [id], "name": name, "mf": "unoclp", "mdl": "unoclp" },
+        "o": { "name": "unoclp", "sw": env!("CARGO_PKG_VERSION") },
+        "availability": online,
+        "availability_mode": "all",
+        "qos": 1,
+        "cmps": components,
+    });
+    (format!("{ABOVE}/device/{id}/config"), config.to_string())
 }
 
 /// Those that there were, and are no more: with nothing but its platform a component is removed.

@@ -1,4 +1,4 @@
-//! An edge node of Sparkplug B, as pysparkplug reads it from mosquitto.
+//! An edge node of Sparkplug B, as pysparkplug and sparkplug-payload read it from mosquitto.
 
 use crate::broker::{Broker, Heard, Listener};
 use crate::site::{HOT, Reporting, hot, site};
@@ -15,13 +15,21 @@ fn python() -> Command {
     python
 }
 
-/// What these messages say.
+/// What these messages say: pysparkplug and npm's sparkplug-payload read the same.
 fn decoded(heard: &[Heard]) -> Vec<Value> {
-    let mut child = python()
+    let read = decoded_by(&mut python(), heard);
+    let mut node = Command::new("node");
+    node.arg(format!("{ROOT}/tools/report/tests/sparkplug.mjs"));
+    assert_eq!(decoded_by(&mut node, heard), read);
+    read
+}
+
+fn decoded_by(reader: &mut Command, heard: &[Heard]) -> Vec<Value> {
+    let mut child = reader
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn()
-        .expect("`cargo xtask setup` brings pysparkplug");
+        .expect("`cargo xtask setup` brings Node, pysparkplug and sparkplug-payload");
     let mut lines = child.stdin.take().unwrap();
     for Heard { topic, hex, .. } in heard {
         let parts: Vec<&str> = topic.split('/').collect();

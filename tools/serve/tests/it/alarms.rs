@@ -31,7 +31,11 @@ const PANEL: &str = "[[item]]\nshow = \"switch\"\npoint = \"one.Q1\"\n\
 /// A site of two alarms and a panel, and the folder of its record.
 pub fn site(guard: Option<Guard>) -> (Site, TempDir) {
     let folder = tempfile::tempdir().unwrap();
-    let record = Record::begin(&folder.path().join("site.record"), Box::new(|_| ()));
+    let record = Record::begin(
+        &folder.path().join("site.record"),
+        u64::MAX,
+        Box::new(|_| ()),
+    );
     let record = Arc::new(record.unwrap());
     let read = unoclp_site::read(ALARMS, &Folder).unwrap_or_else(|wrong| panic!("{wrong:?}"));
     let alarms = Alarms::begin(read.alarms, record.clone(), Box::new(|_, _| ())).unwrap();
