@@ -1,4 +1,4 @@
-//! The registry of typed languages, and the way of a text in one of them to its typed tree.
+//! The registry of languages, and the way of a text in one of them to its typed tree and to a program.
 
 use std::fmt;
 use std::sync::RwLock;
@@ -8,7 +8,7 @@ use unoclp_text::colour::{Colour, painted};
 use unoclp_text::diagnostics::{Found, Lang, Span, Told};
 use unoclp_tree::{FrontEnd, Options, Tree};
 
-/// A typed language: a row of the registry, compared by its name.
+/// A language: a row of the registry, compared by its name.
 #[derive(Clone, Copy)]
 pub struct TextLanguage(&'static FrontEnd);
 
@@ -43,7 +43,7 @@ impl TextLanguage {
     /// Structured Text as Siemens writes it: `#name`, `"name"`.
     pub const Scl: TextLanguage = TextLanguage(&FrontEnd {
         name: "scl",
-        title: ["Structured Text", "Texto Estruturado"],
+        title: ["SCL", "SCL"],
         begins: weighed,
         colours: |text| unoclp_st::colours(text, unoclp_st::Dialect::Scl),
         read: |text, options, found| {
@@ -84,15 +84,10 @@ impl TextLanguage {
         TextLanguage::Il,
     ];
 
-    /// Every typed language: ours, and after them what was [registered](register).
+    /// Every language: ours, and after them what was [registered](register).
     pub fn all() -> Vec<TextLanguage> {
-        [TextLanguage::OURS.to_vec(), TextLanguage::from_elsewhere()].concat()
-    }
-
-    /// What was [registered](register).
-    pub fn from_elsewhere() -> Vec<TextLanguage> {
         let more = MORE.read().unwrap_or_else(|error| error.into_inner());
-        more.clone()
+        [&TextLanguage::OURS[..], &more].concat()
     }
 
     /// Its name on a command line, by which the names of its files end too: `st`, `scl`, `iscl`, `lce`, `il`.
@@ -109,7 +104,7 @@ impl TextLanguage {
         }
     }
 
-    /// Whether a text begins like one in it, of a language from elsewhere.
+    /// Whether a text begins like one in it, and like one in no other.
     pub fn begins(self, text: &str) -> bool {
         (self.0.begins)(text)
     }
@@ -121,7 +116,7 @@ impl TextLanguage {
     }
 }
 
-/// Ours are told apart by their first words all at once, by whoever has files; see `unoclp-program`.
+/// Those that begin alike are told apart all at once, by whoever has files; see `unoclp-program`.
 fn weighed(_: &str) -> bool {
     false
 }

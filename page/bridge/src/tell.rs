@@ -4,7 +4,7 @@ use crate::words::{self, Both, both};
 use serde::Serialize;
 use unoclp_lang::{Colour, Diagnostic, Lines, Severity, Span, Told};
 use unoclp_program::diagnosis::tell;
-use unoclp_program::{Lang, Refused, Seal, Source};
+use unoclp_program::{Lang, Refused, Seal, Source, WrittenIn};
 
 /// What is wrong with a text, or worth a second look.
 #[derive(Debug, Serialize)]
@@ -36,7 +36,7 @@ pub fn problems(text: &str, refused: &Refused) -> (Vec<Problem>, usize) {
                 from: 0,
                 to: 0,
                 message: both(|lang| words::no_program(lang, *why)),
-                help: both(words::languages),
+                help: both(|lang| words::languages(lang, WrittenIn::programs(lang))),
             };
             (vec![nothing], 0)
         }

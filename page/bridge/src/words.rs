@@ -108,7 +108,7 @@ unoclp_words::messages! {
     program_empty() "there is no program yet" "ainda não há programa";
     program_binary() "this is not text" "isto não é texto";
     program_other() "its first lines match none of the languages" "o começo do texto não é de nenhuma das linguagens";
-    languages() "a program is numeric code, Instruction List, Structured Text, InterSCL, LCE or PLCopen XML" "um programa é código numérico, Lista de Instruções, Texto Estruturado, InterSCL, LCE ou PLCopen XML";
+    languages(all) "a program is {all}" "um programa é {all}";
     foreign() "this device does not run unoclp; install the firmware" "este dispositivo não roda o unoclp; grave o firmware";
     unlike() "the board runs a different program from the one shown" "a placa executa um programa diferente do mostrado";
     upload_locked() "the board is locked against uploads" "a placa está bloqueada para envios";

@@ -1,7 +1,7 @@
 // The tutorial, the exercises and the examples as the page takes them, made from what the repository has of them anyway.
 
 import { readFileSync, readdirSync } from "node:fs";
-import { join } from "node:path";
+import { basename, dirname, extname, join } from "node:path";
 import { marked } from "marked";
 
 const PAGES = { en: "tutorial.md", pt: "tutorial.pt-BR.md" };
@@ -93,12 +93,11 @@ export function examples(root) {
     const [en, pt] = rest.split(" | ").map((cell) => cell.trim()).slice(-2);
     const stem = file.replace(/\.\w+$/, "");
     // A program in all languages is shown in those that are typed.
-    for (const end of file.endsWith(".txt") ? [".il", ".txt"] : [".st", ".scl", ".iscl", ".lce"]) {
-      try {
-        all.push({ name: `${stem.split("/").pop()}${end}`, about: { en, pt }, text: readFileSync(join(folder, stem + end), "utf8") });
-      } catch {
-        // Not every program is written in every language.
-      }
+    const isList = file.endsWith(".txt");
+    for (const one of readdirSync(join(folder, dirname(file))).sort((a, b) => a.length - b.length)) {
+      const end = extname(one);
+      if (basename(one, end) !== basename(stem) || end === ".toml" || [".il", ".txt"].includes(end) !== isList) continue;
+      all.push({ name: one, about: { en, pt }, text: readFileSync(join(folder, dirname(file), one), "utf8") });
     }
     if (!all.some((one) => one.name.startsWith(name.split("/").pop()))) throw new Error(`programs/README.md names ${name}, which is not there`);
   }

@@ -7,7 +7,7 @@
 
 use crate::commands::{
     self, At, Changes, Class, Doors, Firmware, Form, Leave, Machine, OfPlant, OfSite, Over, Paper,
-    What, Wording, in_portuguese, langs, language, refuse,
+    What, Wording, in_portuguese, langs, language, naming_languages, refuse,
 };
 use crate::messages;
 use anstream::eprintln;
@@ -37,14 +37,14 @@ pub(crate) struct Arguments {
 enum Command {
     /// Check a program: its size, or every fault with its line
     Check {
-        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
+        /// The program: {programs}; - reads it from standard input
         file: PathBuf,
         #[command(flatten)]
         wording: Wording,
     },
     /// Compile a text to numeric code
     Compile {
-        /// The text: Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
+        /// The text: {texts}; - reads it from standard input
         file: PathBuf,
         /// Where to write the numeric code; to standard output without it, and for -
         #[arg(short, long, value_name = "PROGRAM.TXT")]
@@ -66,7 +66,7 @@ enum Command {
     },
     /// Show a program as a ladder diagram, Instruction List, Structured Text, PLCopen XML, or numeric code with its meaning
     List {
-        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
+        /// The program: {programs}; - reads it from standard input
         file: PathBuf,
         #[command(flatten)]
         wording: Wording,
@@ -138,7 +138,7 @@ enum Command {
     Card {
         /// The folder of a mounted card, or a new image file (.img)
         card: PathBuf,
-        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
+        /// The program: {programs}; - reads it from standard input
         file: PathBuf,
         /// With STATE.TXT, in which the board then keeps inputs and outputs
         #[arg(long)]
@@ -150,7 +150,7 @@ enum Command {
     },
     /// Put a program on a board, over its serial port, in place of a card
     Upload {
-        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
+        /// The program: {programs}; - reads it from standard input
         file: PathBuf,
         #[command(flatten)]
         wording: Wording,
@@ -197,9 +197,13 @@ enum Command {
 
 /// The arguments; without right ones this ends here, with what is wrong.
 fn arguments() -> Arguments {
+    let command = Arguments::command();
     match messages::spoken() {
-        Lang::En => Arguments::parse(),
-        Lang::Pt => in_portuguese(Arguments::command())
+        Lang::En => {
+            let matches = naming_languages(command, Lang::En).get_matches();
+            Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit())
+        }
+        Lang::Pt => naming_languages(in_portuguese(command), Lang::Pt)
             .try_get_matches_from(help_behind(env::args_os().collect()))
             .and_then(|matches| Arguments::from_arg_matches(&matches))
             .unwrap_or_else(|error| refuse(&error)),

@@ -13,6 +13,8 @@ unoclp_words::messages! {
     kept_numbers(count, minutes)
         "after a power cut: {count} numbers, at most {minutes} old"
         "após uma queda de energia: {count} números, de no máximo {minutes} antes";
+    numeric_code() "numeric code" "código numérico";
+    either(others, last) "{others} or {last}" "{others} ou {last}";
     minute() "1 minute" "1 minuto";
     minutes(count) "{count} minutes" "{count} minutos";
     code() "1 code" "1 código";

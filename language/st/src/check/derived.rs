@@ -206,25 +206,25 @@ impl Checker<'_, '_, '_> {
 
     /// The type of a block's instances, whose declarations are made out first.
     pub(super) fn block_type(&mut self, at: usize, used: &Name) -> Option<TypeId> {
-        let (unit, state) = self.units[at];
-        match state {
-            State::Begun => {
+        match self.units[at] {
+            Stage::Begun => {
                 let name = used.text.as_str().into();
                 let contains = ("contains", "contém").into();
                 self.builder
                     .tell(Code::StRecursive, used.span, [name, contains]);
                 return None;
             }
-            State::Not if self.within >= MOST_WITHIN => {
+            Stage::Not(_) if self.within >= MOST_WITHIN => {
                 self.builder.tell(Code::StTooDeep, used.span, []);
                 return None;
             }
-            State::Not => self.declare_unit(at),
-            State::Done(_) => {}
+            Stage::Not(_) => self.declare_unit(at),
+            Stage::Done(_) => {}
         }
-        let draft = self.builder.draft(unit)?;
-        let is_block = draft.unit.kind == UnitKind::Block;
-        let ty = is_block.then_some(draft.block)?;
+        let Stage::Done(unit) = &self.units[at] else {
+            return None;
+        };
+        let ty = self.builder.block_type(unit)?;
         self.not_too_deep(ty, used.span)
     }
 }

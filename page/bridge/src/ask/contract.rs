@@ -1,12 +1,16 @@
-//! The table in TypeScript, which the page is compiled with.
+//! The table in TypeScript, which the page is compiled with, and the languages that programs are written in.
 
 use super::{First, MORE, More, Row};
 use std::fmt::Write;
 use std::path::Path;
 use std::{env, fs};
+use unoclp_program::{Lang, WrittenIn};
 
 /// Where the page has it.
 const FILE: &str = "../web/src/tools/asks.ts";
+
+/// Where it has the languages.
+const LANGUAGES: &str = "../web/src/tools/languages.ts";
 
 const HEAD: &str = "// What may be asked of Rust, and what it answers. Made of page/bridge/src/ask/table.rs: do not edit it; the test of\n\
                     // page/bridge/src/ask/contract.rs writes it where UPDATE=1 is set.\n\n";
@@ -76,19 +80,44 @@ fn written() -> String {
     format!("{HEAD}import type {{ {names} }} from \"./answers\";\n\n{asks}")
 }
 
-#[test]
-fn the_page_is_compiled_with_the_asks_that_rust_takes() {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(FILE);
-    let written = written();
-    if env::var_os("UPDATE").is_some() {
-        fs::write(file, written).unwrap();
-        return;
+/// The languages in TypeScript.
+fn languages() -> String {
+    let mut text = "// The languages of programs, as the Rust of unoclp has them. Made like `asks.ts`: do not edit it.\n\n\
+                    /** Each language by its name: the end of the names of its files, and what it is called. */\n\
+                    export const LANGUAGES = {\n"
+        .to_owned();
+    for language in WrittenIn::all() {
+        let [en, pt] = [Lang::En, Lang::Pt].map(|lang| capital(&language.title(lang)));
+        let (name, end) = (language.name(), language.end());
+        let _ = writeln!(
+            text,
+            "  {name}: {{ end: \".{end}\", en: \"{en}\", pt: \"{pt}\" }},"
+        );
     }
-    assert_eq!(
-        fs::read_to_string(file).unwrap(),
-        written,
-        "UPDATE=1 writes it"
-    );
+    text.push_str("} as const;\n\nexport type LanguageName = keyof typeof LANGUAGES;\n");
+    text
+}
+
+fn capital(title: &str) -> String {
+    let mut signs = title.chars();
+    let first = signs.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(signs).collect()
+}
+
+#[test]
+fn the_page_is_compiled_with_what_rust_has() {
+    for (file, written) in [(FILE, written()), (LANGUAGES, languages())] {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+        if env::var_os("UPDATE").is_some() {
+            fs::write(file, written).unwrap();
+            continue;
+        }
+        assert_eq!(
+            fs::read_to_string(file).unwrap(),
+            written,
+            "UPDATE=1 writes it"
+        );
+    }
 }
 
 #[test]

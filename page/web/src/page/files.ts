@@ -1,11 +1,14 @@
 // Programs from the disk and back.
 
 import type { Text } from "../tools/answers";
+import { LANGUAGES } from "../tools/languages";
 import { say } from "../words/words";
 import { h } from "./dom";
 import { note } from "./notes";
 
 const LONGEST = 1 << 20;
+/** What a person may pick: programs, scenarios and machines. */
+const PICKED = [...Object.values(LANGUAGES).map(({ end }) => end), ".toml", "text/plain"].join();
 
 /** The text of a file; null where it is none, which is told. */
 export async function read(file: File): Promise<Text | null> {
@@ -42,7 +45,7 @@ function decode(bytes: Uint8Array): string | null {
 }
 
 /** Lets a person pick files. */
-export function pick(take: (files: readonly File[]) => void, accept = ".il,.st,.scl,.iscl,.lce,.xml,.txt,.toml,text/plain"): void {
+export function pick(take: (files: readonly File[]) => void, accept = PICKED): void {
   const input = h("input", { type: "file", accept, multiple: true });
   input.addEventListener("change", () => take([...(input.files ?? [])]));
   input.click();

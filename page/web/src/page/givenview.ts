@@ -1,16 +1,15 @@
 // The program that an exercise gives, to be written in another language: a list as its ladder, any other as its text.
 
 import type { Sheet } from "../tools/answers";
+import { LANGUAGES } from "../tools/languages";
 import type { RemoteTools } from "../tools/remote";
 import { Refusal } from "../tools/tools";
 import { say } from "../words/learn";
-import { say as sayCommon, speak } from "../words/words";
+import { speak } from "../words/words";
 import { h } from "./dom";
 
 type Given = NonNullable<Sheet["given"]>;
 
-/** What the languages are called that a program can be asked for in. */
-const NAMES = { il: "languageIl", st: "languageSt", scl: "languageScl", iscl: "languageIscl", lce: "languageLce" } as const;
 /** Columns of the ladder, which scrolls. */
 const WIDTH = 64;
 
@@ -25,8 +24,8 @@ export class GivenView {
     const is = JSON.stringify([given, speak.value]);
     if (is === this.shown) return;
     this.shown = is;
-    const name = NAMES[given.answerIn as keyof typeof NAMES];
-    const asked = name ? h("p", { class: "note" }, say("givenIn", { language: sayCommon(name) })) : "";
+    const language = LANGUAGES[given.answerIn][speak.value];
+    const asked = h("p", { class: "note" }, say("givenIn", { language }));
     const text = h("pre", { tabindex: 0, "aria-label": say("givenText") }, given.text);
     if (given.language !== "il") {
       this.element.replaceChildren(text, asked);

@@ -1,8 +1,8 @@
 // The program as text and as ladder, and what of both is live.
 
 import type { Text } from "../tools/answers";
+import { LANGUAGES } from "../tools/languages";
 import type { RemoteTools } from "../tools/remote";
-import type { Key } from "../words/table";
 import { say, speak } from "../words/words";
 import { asked } from "./asked";
 import type { Bench } from "./bench";
@@ -21,11 +21,6 @@ import type { Tabs } from "./tabs";
 
 const VIEWS = ["text", "both", "ladder", "draw"] as const;
 const TITLES = { text: "viewText", both: "viewBoth", ladder: "viewLadder", draw: "viewDraw" } as const;
-const TONGUES: Readonly<Record<string, Key>> = {
-  il: "languageIl", st: "languageSt", scl: "languageScl", iscl: "languageIscl", lce: "languageLce", xml: "languageXml",
-  numeric: "languageNumeric",
-};
-
 export class ProgramView {
   private readonly ladder: LadderView;
   private readonly count = h("button", { type: "button", class: "quiet problem-count", id: "problem-count" });
@@ -118,7 +113,7 @@ export class ProgramView {
     this.count.textContent = countOf(checked, lacks);
     this.count.classList.toggle("bad", checked.program === null || lacks > 0);
     this.count.classList.toggle("good", checked.problems.length === 0 && lacks === 0);
-    byId("tongue").textContent = say(TONGUES[checked.language] ?? "languageIl");
+    byId("tongue").textContent = LANGUAGES[checked.language || "il"][speak.value];
     const { program } = checked;
     this.size.textContent = program ? say("size", { stored: program.size.stored[0], all: program.size.stored[1] }) : "";
     const ladderNote = byId("ladder-note");

@@ -1,6 +1,7 @@
 // What the Rust of unoclp answers a page, as page/bridge has it. Nothing here but types; what may be asked is in `asks.ts`.
 
 import type { Asks } from "./asks";
+import type { LanguageName } from "./languages";
 
 /** A text in both languages. */
 export interface Both {
@@ -13,8 +14,6 @@ export interface Wrong extends Both {
   readonly field?: string;
   readonly offers?: readonly { readonly value: string; readonly say: Both; readonly sure: boolean }[];
 }
-
-export type LanguageName = "il" | "st" | "scl" | "iscl" | "lce" | "xml" | "numeric";
 
 /** A program as somebody writes it: the end of the name says its language. */
 export interface Text {
@@ -139,7 +138,7 @@ export type ExerciseKind = "program" | "find" | "write";
 export interface Sheet {
   readonly kind: ExerciseKind;
   /** The program that is to be written in another language; both by the ends of the names of files. */
-  readonly given: { readonly text: string; readonly language: string; readonly answerIn: string } | null;
+  readonly given: { readonly text: string; readonly language: LanguageName; readonly answerIn: LanguageName } | null;
   /** The name of its machine's file. */
   readonly plant: string | null;
   readonly title: Both;

@@ -1,7 +1,8 @@
-//! The help of the command line in Portuguese, held against the English one by a test.
+//! The help of the command line: its languages, and all of it in Portuguese, held against the English one by a test.
 
 use clap::builder::PossibleValue;
 use clap::{Arg, Command};
+use unoclp_program::{Lang, WrittenIn};
 
 /// What a command does: its name, and the words.
 const COMMANDS: &[(&str, &str)] = &[
@@ -95,7 +96,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "compile",
         "file",
-        "O texto: Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl), LCE (.lce) ou PLCopen XML (.xml); - o lê da entrada padrão",
+        "O texto: {texts}; - o lê da entrada padrão",
     ),
     (
         "adapt",
@@ -177,7 +178,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "",
         "file",
-        "O programa: código numérico (.txt), Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl), LCE (.lce) ou PLCopen XML (.xml); - o lê da entrada padrão",
+        "O programa: {programs}; - o lê da entrada padrão",
     ),
     (
         "",
@@ -424,6 +425,21 @@ const VALUES: &[(&str, &str)] = &[
 
 /// The layout of a help page.
 const PAGE: &str = "{about-with-newline}\nUso: {usage}\n\n{all-args}";
+
+/// The same command line with all languages in the place of `{programs}` and `{texts}`.
+pub fn naming_languages(command: Command, lang: Lang) -> Command {
+    let command = command.mut_args(|argument| {
+        let help = argument.get_help().map(ToString::to_string);
+        match help.filter(|help| help.contains('{')) {
+            Some(help) => argument.help(
+                help.replace("{programs}", &WrittenIn::programs(lang))
+                    .replace("{texts}", &WrittenIn::texts(lang)),
+            ),
+            None => argument,
+        }
+    });
+    command.mut_subcommands(|command| naming_languages(command, lang))
+}
 
 /// The same command line, explained in Portuguese.
 pub fn in_portuguese(command: Command) -> Command {

@@ -53,7 +53,7 @@ pub use card::card;
 pub use compile::compile;
 pub use flash::{Firmware, flash};
 pub use grade::{Class, grade};
-pub use help::in_portuguese;
+pub use help::{in_portuguese, naming_languages};
 pub use list::{Picture, list};
 pub use monitor::monitor;
 pub use mutants::find_mutants;

@@ -21,8 +21,13 @@ pub use table::*;
 
 use std::io;
 use unoclp_core::Cause;
-use unoclp_program::{Size, diagnosis};
+use unoclp_program::{Size, WrittenIn, diagnosis};
 use unoclp_words::system;
+
+/// What a program may be written in.
+pub fn languages() -> String {
+    programs_are(WrittenIn::programs(spoken()))
+}
 
 /// A fault without its place: `fault 75: too many jumps back in one scan (NC-19)`.
 pub fn fault(cause: Cause) -> String {

@@ -41,9 +41,9 @@ unoclp_words::messages! {
     is_no_program(file, languages)
         "{file} is not a program: its first lines match none of the languages. {languages}"
         "{file} não é um programa: o começo dele não é de nenhuma das linguagens. {languages}";
-    languages()
-        "A program is numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml). If neither its name nor its first words tell which, use --language"
-        "Um programa é código numérico (.txt), Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl), LCE (.lce) ou PLCopen XML (.xml). Se nem o nome nem as primeiras palavras dizem qual, use --language";
+    programs_are(languages)
+        "A program is {languages}. If neither its name nor its first words tell which, use --language"
+        "Um programa é {languages}. Se nem o nome nem as primeiras palavras dizem qual, use --language";
     nothing_to_run()
         "name what to run: a file, - for standard input, or --text \"…\""
         "diga o que executar: um arquivo, - para a entrada padrão, ou --text \"…\"";
@@ -96,9 +96,9 @@ unoclp_words::messages! {
     no_programs(folder, languages)
         "{folder} contains no program. {languages}"
         "{folder} não tem nenhum programa. {languages}";
-    left_out(files)
-        "skipped, because a program's name ends in .txt, .il, .st, .scl, .iscl or .lce: {files}"
-        "ficaram de fora, pois o nome de um programa termina em .txt, .il, .st, .scl, .iscl ou .lce: {files}";
+    left_out(ends, files)
+        "skipped, because a program's name ends in {ends}: {files}"
+        "ficaram de fora, pois o nome de um programa termina em {ends}: {files}";
     file_empty() "the file is empty" "o arquivo está vazio";
     file_binary() "the file is binary, not text" "o arquivo é binário, não texto";
     file_other() "the first lines match none of the languages" "o começo do arquivo não é de nenhuma das linguagens";

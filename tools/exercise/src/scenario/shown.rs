@@ -10,7 +10,7 @@ use super::{
 use std::fmt;
 use unoclp_core::Millis;
 use unoclp_host_sim::engine::Refusal;
-use unoclp_program::{Lang, diagnosis};
+use unoclp_program::{Lang, WrittenIn, diagnosis};
 use unoclp_words::system;
 
 impl LoadError {
@@ -105,7 +105,7 @@ fn wrong(wrong: &Wrong, lang: Lang) -> String {
         Wrong::FaultyProgram { name } => program(lang, name, has_errors(lang)),
         Wrong::NoProgram => no_program(lang),
         Wrong::GivenAlone => given_alone(lang),
-        Wrong::NoLanguage => no_language(lang),
+        Wrong::NoLanguage => no_language(lang, WrittenIn::names(lang)),
         Wrong::FaultyGiven => faulty_given(lang),
         Wrong::FindWithout => find_without(lang),
         Wrong::SeedsWithout => seeds_without(lang),

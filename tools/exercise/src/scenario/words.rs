@@ -40,9 +40,9 @@ unoclp_words::messages! {
     given_alone()
         "write `given` and `answer_in` together: a program, and the language for the answer"
         "escreva `given` e `answer_in` juntos: um programa e a linguagem da resposta";
-    no_language()
-        "`answer_in` names no language; write \"il\", \"st\", \"scl\", \"iscl\" or \"lce\""
-        "`answer_in` não indica uma linguagem; escreva \"il\", \"st\", \"scl\", \"iscl\" ou \"lce\"";
+    no_language(names)
+        "`answer_in` names no language; write {names}"
+        "`answer_in` não indica uma linguagem; escreva {names}";
     faulty_given()
         "the program in `given` has errors; `unoclp check` shows them"
         "o programa em `given` tem erros; `unoclp check` os mostra";

@@ -57,7 +57,7 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("program = \"x.txt\"\n[[step]]\nat = 0", 2, "`program` and `text` both give a program; keep one of them"),
         ("given = \"LD I1\\nST Q1\\n\"\nuntil = 5", 3, "write `given` and `answer_in` together: a program, and the language for the answer"),
         ("answer_in = \"st\"\nuntil = 5", 3, "write `given` and `answer_in` together: a program, and the language for the answer"),
-        ("given = \"LD I1\\nST Q1\\n\"\nanswer_in = \"cobol\"\nuntil = 5", 4, "`answer_in` names no language; write \"il\", \"st\", \"scl\", \"iscl\" or \"lce\""),
+        ("given = \"LD I1\\nST Q1\\n\"\nanswer_in = \"cobol\"\nuntil = 5", 4, "`answer_in` names no language; write \"st\", \"scl\", \"iscl\", \"lce\", \"il\", \"xml\" or \"numeric\""),
         ("given = \"LD I9\\n\"\nanswer_in = \"st\"\nuntil = 5", 3, "the program in `given` has errors; `unoclp check` shows them"),
         ("find = { part = \"k1\", is = \"welded\" }\nuntil = 5", 3, "[find] hides a fault in a machine; name one with `plant`"),
         ("seeds = [1]\nuntil = 5", 3, "`seeds` are further chances of a machine; name one with `plant`"),

@@ -21,8 +21,8 @@ const LCE: WrittenIn = WrittenIn::Typed(TextLanguage::Lce);
 
 /// The language that this text is in; none if it is in none.
 pub(crate) fn first_words(text: &str) -> Option<WrittenIn> {
-    let elsewhere = TextLanguage::from_elsewhere().into_iter();
-    if let Some(language) = elsewhere.into_iter().find(|language| language.begins(text)) {
+    let mut all = TextLanguage::all().into_iter();
+    if let Some(language) = all.find(|language| language.begins(text)) {
         return Some(WrittenIn::Typed(language));
     }
     let code = without_comments(text);

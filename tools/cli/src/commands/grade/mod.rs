@@ -26,7 +26,7 @@ use clap::Args;
 use row::Row;
 use std::path::{Path, PathBuf};
 use unoclp_exercise::scenario::{Exercise, ProgramFile};
-use unoclp_program::shown;
+use unoclp_program::{WrittenIn, shown};
 
 /// What is graded, and how that is told.
 #[derive(Args)]
@@ -83,7 +83,8 @@ pub fn grade(class: &Class) -> Outcome {
     if !found.left_out.is_empty() {
         let names = found.left_out.iter().map(|path| shown(path));
         let names = names.collect::<Vec<_>>().join(", ");
-        eprintln!("{}", messages::left_out(names));
+        let ends = WrittenIn::ends(messages::spoken());
+        eprintln!("{}", messages::left_out(ends, names));
     }
     if let Some(html) = &class.html {
         let page = page::html(&rows, &exercise).into_bytes();
