@@ -12,10 +12,10 @@ import { Desk } from "./desk";
 import { ProgramDocument, type Work, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
-import { greet, isFirstVisit } from "./firstvisit";
 import { ForBoard } from "./forboard";
 import { download, isMachine, isScenario, read, takeDrops } from "./files";
 import { later } from "./later";
+import { menus } from "./menus";
 import { MachineArea } from "./machine";
 import { note } from "./notes";
 import { OnBoard } from "./onboard";
@@ -26,11 +26,12 @@ import { whyNot } from "./problems";
 import { ProgramView } from "./programview";
 import { carriedBy } from "./share";
 import { startControl } from "./start";
+import { statusOf } from "./status";
 import { Tabs } from "./tabs";
-import { toolbar } from "./toolbar";
 import { tooLarge } from "./toolarge";
 import { Trend } from "./trend";
 import { Watch } from "./watch";
+import { begin, greet, isFirstVisit } from "./welcome";
 
 async function load(): Promise<void> {
   if (typeof WebAssembly === "undefined") return stuck();
@@ -62,6 +63,7 @@ async function load(): Promise<void> {
   /** Another program; what it replaces comes back on request, and then it comes back itself. */
   const open = (work: Text & Partial<Work>, back = false): void => {
     const before = put(work);
+    panel.kindsOf(work.text);
     const isNothing = before.text.trim() === "" && !before.drawing?.log.length;
     if (isNothing || (before.text === work.text && before.drawing === (work.drawing ?? null))) return;
     note(() => say(back ? "restored" : "replaced"), { text: () => say(back ? "redo" : "undo"), take: () => open(before, !back) });
@@ -92,25 +94,44 @@ async function load(): Promise<void> {
   const card = new CardTab(slot);
   const settings = h("div");
   const settingsTab = later(async () => new (await import("./settings")).SettingsTab(bench, settings));
+  const view = new ProgramView(program, editor, remote, bench, problems, open, forBoard);
   const tabs = new Tabs(byId("below"), [
     { id: "trend", title: "tabTrend", panel: trend.panel, shown: () => trend.shown() },
     { id: "watch", title: "tabWatch", panel: watch.panel },
-    { id: "problems", title: "tabProblems", panel: problems },
-    { id: "serial", title: "tabSerial", panel: h("div", {}, serial) },
-    { id: "card", title: "tabCard", panel: card.panel, shown: () => void card.show() },
-    { id: "settings", title: "tabSettings", panel: settings, shown: () => void settingsTab().then((tab) => tab?.read()) },
+    { id: "problems", title: "tabProblems", panel: problems, label: view.count },
+    { id: "serial", title: "tabSerial", isRare: true, panel: h("div", {}, serial) },
+    { id: "card", title: "tabCard", isRare: true, panel: card.panel, shown: () => void card.show() },
+    { id: "settings", title: "tabSettings", isRare: true, panel: settings, shown: () => void settingsTab().then((tab) => tab?.read()) },
   ]);
-  const view = new ProgramView(program, editor, remote, bench, problems, tabs, open, forBoard);
   const judged = later(() => import("./judged"));
   const machine = new MachineArea(bench, (facts) => panel.fold(facts !== null), (file, into) => void judged().then((part) => part?.judge(remote, program, file, into)));
   const start = startControl(bench, program, forBoard, tabs, () => view.goDraw());
-  const panel = new Panel(byId("board"), bench, slot, start.control, new Desk(bench, modules).control, machine.root);
+  const desk = new Desk(bench, modules);
+  const panel = new Panel(byId("board"), bench, slot, desk.about, machine.root);
+  byId("running").append(...start.controls, statusOf(bench, program), panel.time.speed);
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
   const shown = later(async () => {
     const them = await learning();
     return them && new (await import("./gallery")).Gallery(remote, them, machine, open);
   });
-  const loadMenus = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn, showMachines: () => void shown().then((gallery) => gallery?.show()) });
+  const examples = (): void => void import("./examples").then(({ showExamples }) => showExamples(open));
+  menus(byId("menus"), {
+    program, bench, open, take, slot, remote, tabs, learn,
+    showMachines: () => void shown().then((gallery) => gallery?.show()),
+    showExamples: examples,
+    turnCard: (card) => panel.turnCard(card),
+    desk: desk.rows, forBoard: forBoard.control, time: panel.time.rows, allButtons: panel.allButtons,
+  });
+  if (isFirst) {
+    greet({
+      draw: () => {
+        open({ name: "program.il", text: "" });
+        view.goDraw(true);
+      },
+      exercises: () => learn("exercises"),
+      examples,
+    });
+  }
   takeDrops(byId("drop"), (files) => void take(files));
   /** A program of a link gets a place of its own: what stood here is kept where it was. The others stand beside it. */
   const fromLink = async (): Promise<void> => {
@@ -144,9 +165,7 @@ async function load(): Promise<void> {
   performance.mark("ready");
   setTimeout(() => {
     editor.furnish();
-    const machines = loadMenus();
-    panel.furnish();
-    if (isFirst) void greet({ bench, machine, machines, isUntouched: () => program.text.value === first, put, run: start.run });
+    if (isFirst) void begin(bench, () => program.text.value === first, start.run);
   });
   if ("serviceWorker" in navigator && location.protocol.startsWith("http")) {
     await navigator.serviceWorker.register("sw.js").catch(() => undefined);

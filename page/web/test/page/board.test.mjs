@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Lab, clean, lamp, pictures, run, state, type } from "./harness.mjs";
+import { Lab, clean, lamp, pick, pictures, run, select, state, tab, type } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -28,7 +28,7 @@ for (const { locale, none, fits, lacks, runs, card, saveCard } of [
     const note = page.locator("#board-note");
     await page.locator("#problem-count.good").waitFor();
     assert.ok(await note.isHidden());
-    await page.selectOption("#for-board", "pc");
+    await select(page, "#for-board", "pc");
     await note.filter({ hasText: none }).filter({ hasText: fits }).waitFor();
     await run(page);
     await page.locator("#status", { hasText: runs }).waitFor();
@@ -43,7 +43,7 @@ for (const { locale, none, fits, lacks, runs, card, saveCard } of [
     await page.mouse.up();
     await lamp(page, 40, false);
     await page.locator('[data-output="41"][data-on="true"]').waitFor();
-    await page.click("#tab-watch");
+    await tab(page, "watch");
     await page.locator('tr[data-point="I9"] button', { hasText: /1$/ }).click();
     await lamp(page, 40, true);
     await page.click("#release");
@@ -52,7 +52,7 @@ for (const { locale, none, fits, lacks, runs, card, saveCard } of [
     await page.click("#command-stop");
     await state(page, "STOP");
     await lamp(page, 41, false);
-    await page.click("#command-run");
+    await pick(page, "#command-run");
     await state(page, "RUN");
     await lamp(page, 41, true);
     // No card is made of it.
@@ -71,7 +71,7 @@ for (const { locale, none, fits, lacks, runs, card, saveCard } of [
     await note.filter({ hasText: lacks }).waitFor();
     await run(page);
     await lamp(page, 41, true);
-    await page.selectOption("#for-board", "uno");
+    await select(page, "#for-board", "uno");
     await page.locator("#problem-count.bad").waitFor();
     await note.waitFor({ state: "hidden" });
     // The simulated UNO takes over again, with its own buttons and lamps.

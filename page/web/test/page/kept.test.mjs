@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { Lab, keptText, lamp, run, state, type } from "./harness.mjs";
+import { Lab, keptText, lamp, pick, run, state, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @type {Lab} */
@@ -34,7 +34,7 @@ const text = async (page) => (await page.textContent(".cm-content")) ?? "";
 async function linkTo(page, program) {
   await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   await type(page, program, "link.il");
-  await page.click("#share");
+  await pick(page, "#share");
   await page.locator("#notes", { hasText: "clipboard" }).waitFor();
   return new URL(await page.evaluate(() => navigator.clipboard.readText())).hash;
 }
