@@ -9,7 +9,7 @@ import { Bench } from "./bench";
 import { CardTab } from "./cardtab";
 import { CardSlot } from "./cardslot";
 import { Desk } from "./desk";
-import { ProgramDocument, type Work, lastText } from "./document";
+import { ProgramDocument, type Work, drawingOf, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
 import { ForBoard } from "./forboard";
@@ -20,7 +20,7 @@ import { MachineArea } from "./machine";
 import { note } from "./notes";
 import { OnBoard } from "./onboard";
 import { Panel } from "./panel";
-import { moveOn } from "./place";
+import { here, keptAt, moveOn, moveTo, programOf } from "./place";
 import { pointsOf } from "./points";
 import { whyNot } from "./problems";
 import { ProgramView } from "./programview";
@@ -60,13 +60,29 @@ async function load(): Promise<void> {
     editor.show(work.text);
     return before;
   };
-  /** Another program; what it replaces comes back on request, and then it comes back itself. */
-  const open = (work: Text & Partial<Work>, back = false): void => {
-    const before = put(work);
-    panel.kindsOf(work.text);
+  /** Another program, in a place of its own; the one before stays where it was, and comes back on request. */
+  const open = (work: Text & Partial<Work>): void => {
+    const [before, from] = [program.work, here()];
     const isNothing = before.text.trim() === "" && !before.drawing?.log.length;
-    if (isNothing || (before.text === work.text && before.drawing === (work.drawing ?? null))) return;
-    note(() => say(back ? "restored" : "replaced"), { text: () => say(back ? "redo" : "undo"), take: () => open(before, !back) });
+    const isSame = before.text === work.text && before.drawing === (work.drawing ?? null);
+    if (!isNothing && !isSame) moveOn();
+    put(work);
+    if (isNothing || isSame) return;
+    const to = here();
+    note(() => say("replaced"), { text: () => say("undo"), take: () => travel(from, before, to, "restored") });
+  };
+  /** Goes to another place, where this stands; and back again, as often as one likes. */
+  const travel = (to: string, work: Work, from: string, said: "restored" | "replaced"): void => {
+    const before = program.work;
+    moveTo(to);
+    put(work);
+    const isBack = said === "restored";
+    note(() => say(said), { text: () => say(isBack ? "redo" : "undo"), take: () => travel(from, before, to, isBack ? "replaced" : "restored") });
+  };
+  /** Opens the program of a place. */
+  const goTo = (id: string): void => {
+    const kept = programOf(keptAt(id, "program"));
+    if (kept && id !== here()) travel(id, { name: kept.name, text: kept.text, drawing: drawingOf(keptAt(id, "drawing")) }, here(), "replaced");
   };
   const learning = later(async () => new (await import("./learning")).Learning(remote, program, open, (inputs) => panel.normallyClosed(inputs), machine));
   /** Opens files: machines first, which the exercises beside them may need. */
@@ -119,6 +135,8 @@ async function load(): Promise<void> {
     program, bench, open, take, slot, remote, tabs, learn,
     showMachines: () => void shown().then((gallery) => gallery?.show()),
     showExamples: examples,
+    goTo,
+    showPrograms: () => void import("./programs").then(({ showPrograms }) => showPrograms(program, goTo, open)),
     turnCard: (card) => panel.turnCard(card),
     desk: desk.rows, forBoard: forBoard.control, time: panel.time.rows, allButtons: panel.allButtons,
   });

@@ -34,6 +34,9 @@ interface Parts {
   learn(what: "lessons" | "exercises"): void;
   showMachines(): void;
   showExamples(): void;
+  /** Opens the program of a place, or shows all of them. */
+  goTo(id: string): void;
+  showPrograms(): void;
   /** Shows a card beside the board, or takes it away. */
   turnCard(card: "hardware" | "faults"): void;
   /** Connecting, firmware; which board a program is for; how time goes. */
@@ -83,7 +86,7 @@ export function menus(root: HTMLElement, parts: Parts): void {
   });
 }
 
-function files({ program, open, take, slot, remote }: Parts): Row[] {
+function files({ program, open, take, slot, remote, goTo, showPrograms }: Parts): Row[] {
   const text = program.text.value;
   const code = program.whole?.made.code;
   const when = (): boolean => code !== undefined;
@@ -100,6 +103,7 @@ function files({ program, open, take, slot, remote }: Parts): Row[] {
     },
     { id: "open-file", say: "openFile", act: () => pick((files) => void take(files)) },
     { id: "save-file", say: "saveFile", act: () => save(program) },
+    { id: "programs", say: "programs", act: showPrograms },
     { id: "share", say: "share", act: () => void shareLink(program) },
     "line",
     { id: "save-code", say: "saveCode", when, act: () => download("PROGRAM.TXT", code ?? "") },
@@ -119,7 +123,7 @@ function files({ program, open, take, slot, remote }: Parts): Row[] {
       when,
       act: () => void slot.build(true).then((image) => image && download("card.img", image, "application/octet-stream")),
     },
-    ...others().slice(0, KEPT).map(({ name, text, at }) => entry(say("keptBefore", { name }), () => open({ name, text }), new Date(at).toLocaleString(document.documentElement.lang))),
+    ...others().slice(0, KEPT).map(({ id, name, at }) => entry(say("keptBefore", { name }), () => goTo(id), new Date(at).toLocaleString(document.documentElement.lang))),
   ];
 }
 

@@ -4,6 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
+import { fingers } from "./hands.mjs";
 import { Lab, findings, pick, select, type } from "./harness.mjs";
 
 /** @param {string} name of a program of programs/exercises */
@@ -93,7 +94,7 @@ test("an exercise with a machine has two verdicts, and its machine stands beside
 
 test("on a phone the timing diagram scrolls and stays readable, and axe-core finds nothing", async () => {
   const page = await lab.still({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
-  await page.tap("#exercises");
+  await pick(page, "#exercises", fingers);
   await page.selectOption("#exercise-list", { index: 5 });
   await page.tap("#exercise-check");
   const diagram = page.locator("#exercise .diagram:not(#replay .diagram)");

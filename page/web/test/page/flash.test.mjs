@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, pick, run, select, still, type } from "./harness.mjs";
+import { Lab, pick, run, select, still, type, unfold } from "./harness.mjs";
 import { Cable } from "./port.mjs";
 import { Served } from "./served.mjs";
 
@@ -33,6 +33,7 @@ async function boxed(bootLoader, isSmall) {
   // The simulated board has taken its own before.
   if (isSmall) await page.route(/unoclp(-nano)?\.hex$/, (route) => route.fulfill({ body: SMALL }));
   await pick(page, "#connect");
+  await unfold(page, "#put-firmware");
   await page.locator("#put-firmware").waitFor();
   const end = async () => {
     await page.context().close();

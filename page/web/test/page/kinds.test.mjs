@@ -170,6 +170,8 @@ test("what went wrong with a machine is seen again from two seconds before, with
 
 test("the gallery has a picture of each machine, its exercises, and how far one is", async () => {
   const page = await lab.still();
+  await page.focus("#menu-learnMenu");
+  await page.keyboard.press("Enter");
   await page.focus("#machines");
   await page.keyboard.press("Enter");
   const cards = page.locator("#gallery .gallery-card");

@@ -2,7 +2,7 @@
 // @ts-check
 
 import { after, before, test } from "node:test";
-import { Lab, lamp, pick, run, select, still } from "./harness.mjs";
+import { Lab, lamp, pick, run, select, still, unfold } from "./harness.mjs";
 import { Cable } from "./port.mjs";
 
 /** @type {Lab} */
@@ -45,7 +45,8 @@ test("a port that is busy is told, and opens once it is free", async () => {
     await lamp(page, 1, false);
     cable.isBusy = false;
     await pick(page, "#connect");
-    await page.locator("#put-firmware").waitFor();
+    await unfold(page, "#put-firmware");
+  await page.locator("#put-firmware").waitFor();
     await page.locator("#status", { hasText: connected }).waitFor();
     await page.context().close();
   }
