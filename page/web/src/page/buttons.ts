@@ -196,7 +196,6 @@ export class Buttons {
       const choice = place.querySelector("select");
       if (choice) choice.hidden = !this.isChoosing;
     }
-    this.latching.hidden = !this.isChoosing;
   }
 
   private get byKey(): boolean {

@@ -163,7 +163,6 @@ export class Panel {
     this.bench.board.follow((board) => {
       more.hidden = board.shared.length === 0;
     });
-    this.buttons.latching.hidden = true;
     return h("div", { class: "card contacts", "data-say-title": "buttonsHint" }, h("h3", {}, h("span", { "data-say": "buttons" }), h("span", {}, this.buttons.latching, this.buttons.choosing)), this.buttons.root);
   }
 

@@ -4,7 +4,7 @@ export const TABLE = {
   title: ["unoclp lab", "laboratório unoclp"],
   skip: ["Skip to the program", "Ir para o programa"],
   fileMenu: ["File", "Arquivo"],
-  menus: ["Menus", "Menus"],
+  menus: ["Menus", "Menus da página"],
   learnMenu: ["Learn", "Aprender"],
   boardMenu: ["Board", "Placa"],
   viewMenu: ["View", "Exibir"],

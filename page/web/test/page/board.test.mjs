@@ -19,9 +19,9 @@ after(() => lab.end());
 /** A program that no board holds: I 09 lights Q 40, and Q 41 comes after a moment. */
 const NINE = "LD I9\nST Q40\nLDN S1\nTON T1, 20\nST Q41\n";
 
-for (const { locale, none, fits, lacks, runs, card, saveCard } of [
-  { locale: "en-US", none: /PC is not a board/, fits: /also fits on UNO, Nano/, lacks: /No board holds this program: the UNO lacks inputs 09; outputs 40, 41\./, runs: /RUN: this computer/, card: /the UNO lacks inputs 09/, saveCard: /card/i },
-  { locale: "pt-BR", none: /PC não é uma placa/, fits: /também cabe em UNO, Nano/, lacks: /Nenhuma placa comporta este programa: faltam ao UNO as entradas 09; as saídas 40, 41\./, runs: /RUN: este computador/, card: /faltam ao UNO as entradas 09/, saveCard: /cartão/i },
+for (const { locale, none, fits, lacks, runs, card } of [
+  { locale: "en-US", none: /PC is not a board/, fits: /also fits on UNO, Nano/, lacks: /No board holds this program: the UNO lacks inputs 09; outputs 40, 41\./, runs: /RUN: this computer/, card: /the UNO lacks inputs 09/ },
+  { locale: "pt-BR", none: /PC não é uma placa/, fits: /também cabe em UNO, Nano/, lacks: /Nenhuma placa comporta este programa: faltam ao UNO as entradas 09; as saídas 40, 41\./, runs: /RUN: este computador/, card: /faltam ao UNO as entradas 09/ },
 ]) {
   test(`a board that is none is called so, and sent to nobody, ${locale}`, async () => {
     const page = await lab.open({ locale });
@@ -56,8 +56,7 @@ for (const { locale, none, fits, lacks, runs, card, saveCard } of [
     await state(page, "RUN");
     await lamp(page, 41, true);
     // No card is made of it.
-    await page.click("#menu-fileMenu");
-    await page.locator(".menu button").filter({ hasText: saveCard }).click();
+    await pick(page, "#save-card");
     await page.locator("#notes", { hasText: card }).waitFor();
     assert.equal(await page.locator("progress:visible").count(), 0);
     await clean(page, "a board that is none");
