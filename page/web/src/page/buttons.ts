@@ -1,4 +1,5 @@
-// The buttons of the inputs: held by mouse, finger or key; latched with shift, or while the switch says so.
+// The buttons of the inputs: held by mouse, finger or key; latched with shift, or while the switch says so. Each is one of four
+// kinds: a push button, normally open or closed, or one that stays where it is pressed to: a switch, an emergency stop.
 
 import type { Forced } from "../tools/answers";
 import { say, speak } from "../words/words";
@@ -9,6 +10,13 @@ import { keepHere, keptHere } from "./place";
 /** What a button does: whether it is pressed, and how its contact stands then. */
 export type Press = (input: number, pressed: boolean, closed: boolean) => void;
 
+/** What a button is: `no` and `nc` spring back, `switch` and `latch` stay; `nc` and `latch` open their contact. */
+const KINDS = ["no", "nc", "switch", "latch"] as const;
+export type Kind = (typeof KINDS)[number];
+const KIND_WORDS = { no: "contactOpen", nc: "contactClosed", switch: "contactSwitch", latch: "contactLatch" } as const;
+const isClosed = (kind: Kind): boolean => kind === "nc" || kind === "latch";
+const stays = (kind: Kind): boolean => kind === "switch" || kind === "latch";
+
 export class Buttons {
   readonly root = h("div", { class: "points" });
   /** Makes each press latch, or let go: a finger has no shift. */
@@ -17,11 +25,17 @@ export class Buttons {
   private readonly places = new Map<number, HTMLElement>();
   private readonly latched = new Set<number>();
   private readonly held = new Set<number>();
-  /** Those whose contacts are normally closed. */
-  private closed = new Set(closedBefore());
+  /** Those that are no push buttons with an open contact. */
+  private kinds: ReadonlyMap<number, Kind> = kindsBefore();
+  /** Shows what one chooses the kinds by. */
+  readonly choosing = h("button", { type: "button", class: "quiet small", id: "kinds", "data-say": "buttonKinds", "aria-pressed": "false" });
 
   constructor(private readonly press: Press) {
     this.latching.addEventListener("click", () => this.latching.setAttribute("aria-pressed", String(!this.latches)));
+    this.choosing.addEventListener("click", () => {
+      this.choosing.setAttribute("aria-pressed", String(!this.isChoosing));
+      this.showKinds();
+    });
     speak.follow(() => {
       for (const [input, place] of this.places) {
         place.querySelector(".press")?.setAttribute("aria-label", say("buttonOf", { n: input }));
@@ -38,7 +52,7 @@ export class Buttons {
     document.addEventListener("keydown", (event) => {
       const input = digit(event);
       if (!input || event.repeat) return;
-      if (event.shiftKey || this.latches) this.latch(input);
+      if (event.shiftKey || this.staysAt(input)) this.latch(input);
       else this.hold(input, true);
     });
     document.addEventListener("keyup", (event) => {
@@ -70,16 +84,32 @@ export class Buttons {
     this.show(first);
   }
 
-  /** Makes the contacts of these inputs normally closed, and all others normally open. */
+  /** Makes the contacts of these inputs normally closed, and all others push buttons that are open. */
   normallyClosed(inputs: readonly number[]): void {
-    const before = this.closed;
-    this.closed = new Set(inputs);
-    keepHere("contacts", JSON.stringify([...this.closed]));
+    this.become(new Map(inputs.map((input) => [input, "nc"])));
+  }
+
+  /** Makes these buttons of these kinds, and all others push buttons that are open. */
+  become(kinds: ReadonlyMap<number, Kind>): void {
+    const before = this.kinds;
+    this.kinds = kinds;
+    keepHere("contacts", JSON.stringify(Object.fromEntries(kinds)));
     for (const input of this.places.keys()) {
       this.kind(input);
-      if (before.has(input) !== this.closed.has(input)) this.tell(input);
+      const [was, is] = [before.get(input) ?? "no", this.kindOf(input)];
+      if (was === is) continue;
+      if (!stays(is)) this.latched.delete(input);
+      this.tell(input);
     }
-    this.showTo(inputs);
+    this.showTo([...kinds.keys()]);
+  }
+
+  private kindOf(input: number): Kind {
+    return this.kinds.get(input) ?? "no";
+  }
+
+  private staysAt(input: number): boolean {
+    return this.latches || stays(this.kindOf(input));
   }
 
   /** Shows all, where one of these is hidden. */
@@ -117,7 +147,7 @@ export class Buttons {
     const button = h("button", { type: "button", class: "press", "aria-pressed": "false", "data-input": input }, String(input));
     button.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
-      if (event.shiftKey || this.latches) return this.latch(input);
+      if (event.shiftKey || this.staysAt(input)) return this.latch(input);
       button.setPointerCapture(event.pointerId);
       this.hold(input, true);
     });
@@ -127,7 +157,7 @@ export class Buttons {
       if (event.key !== " " && event.key !== "Enter") return;
       event.preventDefault();
       if (event.repeat) return;
-      if (down && (event.shiftKey || this.latches)) this.latch(input);
+      if (down && (event.shiftKey || this.staysAt(input))) this.latch(input);
       else this.hold(input, down);
     };
     button.addEventListener("keydown", key(true));
@@ -137,20 +167,35 @@ export class Buttons {
       if (event.detail === 0 && event.isTrusted && !this.byKey) this.latch(input);
     });
     button.setAttribute("aria-label", say("buttonOf", { n: input }));
-    const kind = h("button", { type: "button", class: "quiet small contact", "data-contact": input, "aria-pressed": "false",
-      click: () => this.normallyClosed(this.closed.has(input) ? [...this.closed].filter((one) => one !== input) : [...this.closed, input]) });
-    this.kind(input, kind);
-    return h("div", { class: "place" }, button, kind, h("span", { class: "name" }), h("span", { class: "forced-mark" }));
+    const choice = h("select", { class: "kind-choice", "data-contact": input, hidden: !this.isChoosing, change: () => this.become(new Map([...this.kinds, [input, choice.value as Kind]])) },
+      ...KINDS.map((kind) => h("option", { value: kind })));
+    const place = h("div", { class: "place" }, button, h("span", { class: "name" }), h("span", { class: "kind" }), choice, h("span", { class: "forced-mark" }));
+    this.kind(input, place);
+    return place;
   }
 
-  private kind(input: number, button = this.places.get(input)?.querySelector<HTMLElement>(".contact")): void {
-    if (!button) return;
-    const closed = this.closed.has(input);
-    const kind = say(closed ? "contactClosed" : "contactOpen");
-    button.textContent = kind;
-    button.title = say("contactOf", { kind, n: input });
-    button.setAttribute("aria-label", button.title);
-    button.setAttribute("aria-pressed", String(closed));
+  /** What kind it is, in words and as a choice. */
+  private kind(input: number, place = this.places.get(input)): void {
+    const choice = place?.querySelector("select");
+    const said = place?.querySelector<HTMLElement>(".kind");
+    if (!choice || !said) return;
+    const kind = this.kindOf(input);
+    said.textContent = say(KIND_WORDS[kind]);
+    said.dataset["kind"] = kind;
+    choice.setAttribute("aria-label", say("contactOf", { n: input }));
+    [...choice.options].forEach((option, index) => (option.textContent = say(KIND_WORDS[KINDS[index] ?? "no"])));
+    choice.value = kind;
+  }
+
+  private get isChoosing(): boolean {
+    return this.choosing.getAttribute("aria-pressed") === "true";
+  }
+
+  private showKinds(): void {
+    for (const place of this.places.values()) {
+      const choice = place.querySelector("select");
+      if (choice) choice.hidden = !this.isChoosing;
+    }
   }
 
   private get byKey(): boolean {
@@ -177,7 +222,7 @@ export class Buttons {
   private tell(input: number): void {
     this.mark(input);
     const pressed = this.held.has(input) || this.latched.has(input);
-    this.press(input, pressed, pressed !== this.closed.has(input));
+    this.press(input, pressed, pressed !== isClosed(this.kindOf(input)));
   }
 
   private mark(input: number): void {
@@ -187,12 +232,27 @@ export class Buttons {
   }
 }
 
-/** Those whose contacts this tab had normally closed. */
-function closedBefore(): number[] {
+/** The kinds that this tab had; version 0.2.0 kept a list of those that are normally closed. */
+function kindsBefore(): ReadonlyMap<number, Kind> {
   try {
-    const inputs = JSON.parse(keptHere("contacts") ?? "[]") as unknown;
-    return Array.isArray(inputs) ? inputs.filter((input) => Number.isInteger(input)) : [];
+    const held = JSON.parse(keptHere("contacts") ?? "{}") as unknown;
+    if (Array.isArray(held)) return new Map(held.filter((input) => Number.isInteger(input)).map((input) => [input as number, "nc"]));
+    const pairs = Object.entries((held ?? {}) as object).filter(([, kind]) => KINDS.includes(kind));
+    return new Map(pairs.map(([input, kind]) => [Number(input), kind as Kind]));
   } catch {
-    return [];
+    return new Map();
   }
+}
+
+const WORDS: Readonly<Record<string, Kind>> = { no: "no", na: "no", nc: "nc", nf: "nc", switch: "switch", chave: "switch", latch: "latch", trava: "latch" };
+
+/** What a program's comment says of its buttons: `(* buttons: I2 NC, I3 switch *)`. Null where it says nothing. */
+export function kindsIn(text: string): ReadonlyMap<number, Kind> | null {
+  const [, said] = /\b(?:buttons|bot[oõ]es)\s*:([^*\n)]*)/i.exec(text) ?? [];
+  if (said === undefined) return null;
+  const kinds = [...said.matchAll(/I0?(\d+)\s+(\p{L}+)/giu)].flatMap(([, input, word]): [number, Kind][] => {
+    const kind = WORDS[word?.toLowerCase() ?? ""];
+    return kind ? [[Number(input), kind]] : [];
+  });
+  return kinds.length > 0 ? new Map(kinds) : null;
 }

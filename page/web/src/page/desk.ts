@@ -22,11 +22,14 @@ const MODELS = [
 ] as const;
 
 export class Desk {
-  readonly control: HTMLElement;
+  /** What a menu has of it. */
+  readonly rows: readonly HTMLElement[];
   private readonly text = h("span");
-  private readonly about = h("p", { class: "note", id: "desk-about" });
+  /** Which board answers. */
+  readonly about = h("p", { class: "note card", id: "desk-about" });
   private readonly model = h("select", { id: "model", "data-say-label": "boardKind" }, ...MODELS.map(({ name, title }) => h("option", { value: name }, title)));
   private readonly put = h("button", { type: "button", id: "put-firmware", click: () => void this.flash() }, icon("bolt"), h("span", { "data-say": "putFirmware" }));
+  private readonly kind: HTMLElement;
   private port: SerialPort | null = null;
   private offered = false;
   /** The board behind this page, where there is one: then it is the one that is joined. */
@@ -38,7 +41,8 @@ export class Desk {
     private readonly modules: Modules,
   ) {
     const connect = h("button", { type: "button", id: "connect", click: () => void (bench.where.value === "desk" ? this.leave() : this.join()) }, icon("usb"), this.text);
-    this.control = h("div", { class: "row" }, connect, this.model, this.put, this.about);
+    this.kind = h("label", { class: "menu-field" }, h("span", { "data-say": "boardKind" }), this.model);
+    this.rows = [connect, this.kind, this.put];
     bench.where.follow(() => this.show());
     bench.identity.follow(() => this.show());
     bench.lost.follow((why) => this.offer(why));
@@ -51,11 +55,12 @@ export class Desk {
     this.text.textContent = say(key);
     this.text.dataset["say"] = key;
     // Firmware goes through the port alone.
-    this.model.hidden = this.put.hidden = !there || this.token !== null;
+    this.kind.hidden = this.put.hidden = !there || this.token !== null;
     const identity = this.bench.identity.value;
     const what = this.shared ? `${identity ?? ""} (${this.shared.name})` : identity;
     const said = this.shared?.role === "watch" ? "watching" : "connected";
     this.about.textContent = there && identity ? say(said, { identity: what ?? "" }) : "";
+    this.about.hidden = this.about.textContent === "";
   }
 
   /** What is at the port is no board of ours: it may be one without the firmware. Said once for each time it is opened. */
@@ -107,6 +112,7 @@ export class Desk {
       const tools = await Tools.of(await this.modules.full());
       await this.bench.disconnect();
       const failure = await flash(tools, new PortLine(this.port), hex, model.name, (share) => {
+        this.about.hidden = false;
         this.about.textContent = say("flashing", { percent: Math.round(share * 100) });
       });
       const said = (): string => (failure ? told(failure) : say("flashed"));

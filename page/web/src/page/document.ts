@@ -82,7 +82,7 @@ export class ProgramDocument {
 
   /** Another program; what it replaces is given back. */
   replace({ name, text, drawing }: Text & Partial<Work>): Work {
-    const before = { ...this.text.value, drawing: this.drawing.value };
+    const before = this.work;
     this.opened += 1;
     this.drawing.value = drawing ?? null;
     this.text.value = { name, text };
@@ -94,6 +94,11 @@ export class ProgramDocument {
     const looked = this.looked.value;
     const made = looked?.text === this.text.value ? looked.checked.program : null;
     return made && this.lacks.value === 0 ? { text: this.text.value, made } : null;
+  }
+
+  /** The program and its drawing as they are. */
+  get work(): Work {
+    return { ...this.text.value, drawing: this.drawing.value };
   }
 
   private keep(): void {
@@ -162,8 +167,13 @@ export function stemOf(name: string): string {
 }
 
 function lastDrawing(): Drawing | null {
+  return drawingOf(keptHere("drawing"));
+}
+
+/** A drawing as it was kept; null for anything else. */
+export function drawingOf(text: string | null): Drawing | null {
   try {
-    const found = JSON.parse(keptHere("drawing") ?? "null") as Partial<Drawing> | null;
+    const found = JSON.parse(text ?? "null") as Partial<Drawing> | null;
     const is = typeof found?.name === "string" && typeof found.text === "string" && Array.isArray(found.log) && typeof found.base?.text === "string";
     return is ? (found as Drawing) : null;
   } catch {

@@ -14,6 +14,7 @@ import { icon } from "./icons";
 import { keep, kept } from "./kept";
 import type { MachineArea } from "./machine";
 import { announce, note } from "./notes";
+import { showColumn } from "./column";
 import { copyLink } from "./share";
 import { Verdict } from "./verdict";
 
@@ -140,12 +141,14 @@ export class Exercises {
   private appear(): void {
     if (this.all.length === 0) return;
     this.root.hidden = false;
+    showColumn();
     this.chosen();
     this.root.querySelector("select")?.focus();
   }
 
   close(): void {
     this.root.hidden = true;
+    showColumn();
     // A machine with a hidden fault is of no use but to this.
     if (this.machine.opened?.find !== undefined) void this.machine.close();
   }
@@ -196,22 +199,26 @@ export class Exercises {
     if (sheet.given) this.given.show(sheet.given);
     const hints = sheet.hints.slice(0, exercise.hints).map((hint) => h("li", {}, told(hint)));
     const next = exercise.hints < sheet.hints.length;
+    const passed = this.all.filter((one) => one.passed).length;
+    const buttons = h("div", { class: "row" },
+      isFind ? null : h("button", { type: "button", class: "primary", id: "exercise-check", click: () => void this.check(exercise) }, say("exerciseCheck")),
+      isFind ? null : h("button", { type: "button", id: "exercise-begin", click: () => this.open(begun(exercise)) }, say("exerciseBegin")),
+      isFind && exercise.program ? h("button", { type: "button", id: "find-open", click: () => exercise.program && this.open(exercise.program) }, sayHere("findOpen")) : null,
+      next ? h("button", { type: "button", id: "exercise-hint", click: () => this.hint(exercise) }, say("exerciseHint", { n: exercise.hints + 1, all: sheet.hints.length })) : null,
+      this.at + 1 < this.all.length ? h("button", { type: "button", class: exercise.passed ? "primary" : "quiet", id: "exercise-next", click: () => this.next() }, sayHere("exerciseNext")) : null);
     const parts = [
       h("div", { class: "row" }, this.list(),
         exercise.isOwn ? h("button", { type: "button", class: "quiet", id: "exercise-link", "aria-label": sayHere("exerciseLink"), title: sayHere("exerciseLink"), click: () => void this.share(exercise) }, icon("share")) : null,
-        h("span", { style: "flex:1" }),
         h("button", { type: "button", class: "quiet", "aria-label": say("close"), click: () => this.close() }, "×")),
+      h("div", { class: "row" }, h("progress", { max: this.all.length, value: passed, "aria-label": sayHere("exerciseProgress"), style: "flex:1;width:auto" }),
+        h("span", { class: "chip", id: "exercise-progress" }, sayHere("exerciseFar", { done: passed, all: this.all.length }))),
       h("h3", {}, told(sheet.title), sheet.kind === "program" ? null : h("span", { class: "chip" }, sayHere(GROUPS[sheet.kind]))),
       h("p", { class: "task" }, sheet.task ? told(sheet.task) : ""),
       sheet.given ? this.given.element : null,
       h("ul", { class: "names", "aria-label": say("exerciseNames") }, ...points),
       h("ol", { class: "hints", "aria-label": say("exerciseHints"), hidden: hints.length === 0 }, ...hints),
-      h("div", { class: "row" },
-        isFind ? null : h("button", { type: "button", class: "primary", id: "exercise-check", click: () => void this.check(exercise) }, say("exerciseCheck")),
-        isFind ? null : h("button", { type: "button", id: "exercise-begin", click: () => this.open(begun(exercise)) }, say("exerciseBegin")),
-        isFind && exercise.program ? h("button", { type: "button", id: "find-open", click: () => exercise.program && this.open(exercise.program) }, sayHere("findOpen")) : null,
-        next ? h("button", { type: "button", id: "exercise-hint", click: () => this.hint(exercise) }, say("exerciseHint", { n: exercise.hints + 1, all: sheet.hints.length })) : null),
       isFind ? this.find.element : verdict.element,
+      h("div", { class: "pinned" }, isFind ? null : verdict.line, buttons),
     ];
     this.root.replaceChildren(...parts.filter((part) => part !== null));
   }
@@ -229,6 +236,14 @@ export class Exercises {
       this.root.querySelector("select")?.focus();
     };
     return h("select", { id: "exercise-list", "aria-label": say("exercises"), change }, ...groups);
+  }
+
+  private next(): void {
+    this.at += 1;
+    this.keep();
+    this.chosen();
+    this.root.scrollTo(0, 0);
+    this.root.querySelector("select")?.focus();
   }
 
   private hint(exercise: Exercise): void {

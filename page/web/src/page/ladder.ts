@@ -9,7 +9,7 @@ import { forcedNames } from "./points";
 /** CSS pixels beside the drawing. */
 const MARGIN = 14;
 /** Between these the drawing is made to fit, until somebody chooses. */
-const FITS = [0.6, 0.9] as const;
+const FITS = [0.6, 1.3] as const;
 const ZOOMS = [0.6, 0.7, 0.8, 0.9, 1, 1.15, 1.3, 1.5, 1.8];
 
 /** Who hears of clicks on the drawing. */

@@ -1,21 +1,19 @@
-// The LEDs of the outputs, and what is forced of them.
+// The lamps of the outputs, and what is forced of them.
 
-import "@wokwi/elements/dist/esm/led-element";
-import type { LEDElement } from "@wokwi/elements/dist/esm/led-element";
 import type { Forced } from "../tools/answers";
 import { say, speak } from "../words/words";
 import { h } from "./dom";
 import { markForced } from "./forced";
 import { announce } from "./notes";
 
-/** How often a screen reader hears of a lamp behind each press of a button: one that blinks falls silent. */
+/** How often a screen reader hears of a lamp after each press of a button: one that blinks falls silent. */
 const HEARD = 3;
-const COLOURS = ["red", "yellow", "green", "blue"];
+const COLOURS = ["#e5322d", "#e5b400", "#1fa84a", "#2f6fe4"];
 
 interface Lamp {
   readonly output: number;
   readonly root: HTMLElement;
-  readonly led: LEDElement;
+  readonly bulb: HTMLElement;
   readonly said: HTMLElement;
   share: number;
   heard: number;
@@ -46,8 +44,7 @@ export class Lamps {
       const share = Math.round(shareOf(lamp.output) * 100) / 100;
       if (lamp.share === share) continue;
       lamp.share = share;
-      lamp.led.value = share > 0;
-      lamp.led.brightness = share;
+      lamp.bulb.style.setProperty("--share", String(share));
       tell(lamp);
       if (lamp.heard++ < HEARD) announce(lamp.said.textContent ?? "");
     }
@@ -67,12 +64,11 @@ export class Lamps {
 }
 
 function made(output: number): Lamp {
-  const led = document.createElement("wokwi-led") as LEDElement;
-  led.color = COLOURS[(output - 1) % COLOURS.length] ?? "red";
-  led.setAttribute("aria-hidden", "true");
+  const bulb = h("div", { class: "bulb", "aria-hidden": "true" });
+  bulb.style.setProperty("--lit", COLOURS[(output - 1) % COLOURS.length] ?? "");
   const said = h("span", { class: "said", "data-output": output });
-  const root = h("div", { class: "place" }, h("div", { class: "lamp" }, led), said, h("span", { class: "name" }), h("span", { class: "forced-mark" }));
-  const lamp = { output, root, led, said, share: 0, heard: 0 };
+  const root = h("div", { class: "place" }, bulb, h("span", { class: "name" }), said, h("span", { class: "forced-mark" }));
+  const lamp = { output, root, bulb, said, share: 0, heard: 0 };
   tell(lamp);
   return lamp;
 }

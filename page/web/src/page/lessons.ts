@@ -4,6 +4,7 @@ import type { Both, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { say, speak, told } from "../words/words";
 import type { ProgramDocument } from "./document";
+import { showColumn } from "./column";
 import { h } from "./dom";
 import { keep, kept } from "./kept";
 import { Verdict } from "./verdict";
@@ -53,6 +54,7 @@ export class Lessons {
   private show(): void {
     const lesson = this.lessons[this.at];
     this.root.hidden = !lesson;
+    showColumn();
     if (!lesson) return;
     const words = h("div", { class: "words" });
     // Made at build time of a page of this repository.
@@ -66,11 +68,10 @@ export class Lessons {
     const next = this.at + 1 < this.lessons.length ? button("lessonNext", () => this.go(this.at + 1)) : null;
     this.root.replaceChildren(
       h("div", { class: "row" }, h("span", { class: "chip" }, say("lessonOf", { n: this.at + 1, all: this.lessons.length })), h("span", { style: "flex:1" }), before, next, close),
-      h("h3", {}, told(lesson.title)), words,
-      h("div", { class: "row" }, button("lessonLoad", () => load(lesson.text), "primary"),
+      h("h3", {}, told(lesson.title)), words, verdict.element,
+      h("div", { class: "pinned" }, verdict.line, h("div", { class: "row" }, button("lessonLoad", () => load(lesson.text), "primary"),
         button("checkStep", () => check(lesson.step)),
         button("checkExercise", () => check(lesson.exercise)),
-        button("lessonSolution", () => load(lesson.solution))),
-      verdict.element);
+        button("lessonSolution", () => load(lesson.solution)))));
   }
 }

@@ -9,28 +9,29 @@ import { Bench } from "./bench";
 import { CardTab } from "./cardtab";
 import { CardSlot } from "./cardslot";
 import { Desk } from "./desk";
-import { ProgramDocument, type Work, lastText } from "./document";
+import { ProgramDocument, type Work, drawingOf, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
-import { greet, isFirstVisit } from "./firstvisit";
 import { ForBoard } from "./forboard";
 import { download, isMachine, isScenario, read, takeDrops } from "./files";
 import { later } from "./later";
+import { menus } from "./menus";
 import { MachineArea } from "./machine";
 import { note } from "./notes";
 import { OnBoard } from "./onboard";
 import { Panel } from "./panel";
-import { moveOn } from "./place";
+import { here, keptAt, moveOn, moveTo, programOf } from "./place";
 import { pointsOf } from "./points";
 import { whyNot } from "./problems";
 import { ProgramView } from "./programview";
 import { carriedBy } from "./share";
 import { startControl } from "./start";
+import { statusOf } from "./status";
 import { Tabs } from "./tabs";
-import { toolbar } from "./toolbar";
 import { tooLarge } from "./toolarge";
 import { Trend } from "./trend";
 import { Watch } from "./watch";
+import { begin, greet, isFirstVisit } from "./welcome";
 
 async function load(): Promise<void> {
   if (typeof WebAssembly === "undefined") return stuck();
@@ -59,12 +60,29 @@ async function load(): Promise<void> {
     editor.show(work.text);
     return before;
   };
-  /** Another program; what it replaces comes back on request, and then it comes back itself. */
-  const open = (work: Text & Partial<Work>, back = false): void => {
-    const before = put(work);
+  /** Another program, in a place of its own; the one before stays where it was, and comes back on request. */
+  const open = (work: Text & Partial<Work>): void => {
+    const [before, from] = [program.work, here()];
     const isNothing = before.text.trim() === "" && !before.drawing?.log.length;
-    if (isNothing || (before.text === work.text && before.drawing === (work.drawing ?? null))) return;
-    note(() => say(back ? "restored" : "replaced"), { text: () => say(back ? "redo" : "undo"), take: () => open(before, !back) });
+    const isSame = before.text === work.text && before.drawing === (work.drawing ?? null);
+    if (!isNothing && !isSame) moveOn();
+    put(work);
+    if (isNothing || isSame) return;
+    const to = here();
+    note(() => say("replaced"), { text: () => say("undo"), take: () => travel(from, before, to, "restored") });
+  };
+  /** Goes to another place, where this stands; and back again, as often as one likes. */
+  const travel = (to: string, work: Work, from: string, said: "restored" | "replaced"): void => {
+    const before = program.work;
+    moveTo(to);
+    put(work);
+    const isBack = said === "restored";
+    note(() => say(said), { text: () => say(isBack ? "redo" : "undo"), take: () => travel(from, before, to, isBack ? "replaced" : "restored") });
+  };
+  /** Opens the program of a place. */
+  const goTo = (id: string): void => {
+    const kept = programOf(keptAt(id, "program"));
+    if (kept && id !== here()) travel(id, { name: kept.name, text: kept.text, drawing: drawingOf(keptAt(id, "drawing")) }, here(), "replaced");
   };
   const learning = later(async () => new (await import("./learning")).Learning(remote, program, open, (inputs) => panel.normallyClosed(inputs), machine));
   /** Opens files: machines first, which the exercises beside them may need. */
@@ -92,25 +110,46 @@ async function load(): Promise<void> {
   const card = new CardTab(slot);
   const settings = h("div");
   const settingsTab = later(async () => new (await import("./settings")).SettingsTab(bench, settings));
+  const view = new ProgramView(program, editor, remote, bench, problems, open, forBoard);
   const tabs = new Tabs(byId("below"), [
     { id: "trend", title: "tabTrend", panel: trend.panel, shown: () => trend.shown() },
     { id: "watch", title: "tabWatch", panel: watch.panel },
-    { id: "problems", title: "tabProblems", panel: problems },
-    { id: "serial", title: "tabSerial", panel: h("div", {}, serial) },
-    { id: "card", title: "tabCard", panel: card.panel, shown: () => void card.show() },
-    { id: "settings", title: "tabSettings", panel: settings, shown: () => void settingsTab().then((tab) => tab?.read()) },
+    { id: "problems", title: "tabProblems", panel: problems, label: view.count },
+    { id: "serial", title: "tabSerial", isRare: true, panel: h("div", {}, serial) },
+    { id: "card", title: "tabCard", isRare: true, panel: card.panel, shown: () => void card.show() },
+    { id: "settings", title: "tabSettings", isRare: true, panel: settings, shown: () => void settingsTab().then((tab) => tab?.read()) },
   ]);
-  const view = new ProgramView(program, editor, remote, bench, problems, tabs, open, forBoard);
   const judged = later(() => import("./judged"));
   const machine = new MachineArea(bench, (facts) => panel.fold(facts !== null), (file, into) => void judged().then((part) => part?.judge(remote, program, file, into)));
   const start = startControl(bench, program, forBoard, tabs, () => view.goDraw());
-  const panel = new Panel(byId("board"), bench, slot, start.control, new Desk(bench, modules).control, machine.root);
+  const desk = new Desk(bench, modules);
+  const panel = new Panel(byId("board"), bench, slot, desk.about, machine.root);
+  byId("running").append(...start.controls, statusOf(bench, program), panel.time.speed);
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
   const shown = later(async () => {
     const them = await learning();
     return them && new (await import("./gallery")).Gallery(remote, them, machine, open);
   });
-  const loadMenus = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn, showMachines: () => void shown().then((gallery) => gallery?.show()) });
+  const examples = (): void => void import("./examples").then(({ showExamples }) => showExamples(open));
+  menus(byId("menus"), {
+    program, bench, open, take, slot, remote, tabs, learn,
+    showMachines: () => void shown().then((gallery) => gallery?.show()),
+    showExamples: examples,
+    goTo,
+    showPrograms: () => void import("./programs").then(({ showPrograms }) => showPrograms(program, goTo, open)),
+    turnCard: (card) => panel.turnCard(card),
+    desk: desk.rows, forBoard: forBoard.control, time: panel.time.rows, allButtons: panel.allButtons,
+  });
+  if (isFirst) {
+    greet({
+      draw: () => {
+        open({ name: "program.il", text: "" });
+        view.goDraw(true);
+      },
+      exercises: () => learn("exercises"),
+      examples,
+    });
+  }
   takeDrops(byId("drop"), (files) => void take(files));
   /** A program of a link gets a place of its own: what stood here is kept where it was. The others stand beside it. */
   const fromLink = async (): Promise<void> => {
@@ -144,9 +183,7 @@ async function load(): Promise<void> {
   performance.mark("ready");
   setTimeout(() => {
     editor.furnish();
-    const machines = loadMenus();
-    panel.furnish();
-    if (isFirst) void greet({ bench, machine, machines, isUntouched: () => program.text.value === first, put, run: start.run });
+    if (isFirst) void begin(bench, () => program.text.value === first, start.run);
   });
   if ("serviceWorker" in navigator && location.protocol.startsWith("http")) {
     await navigator.serviceWorker.register("sw.js").catch(() => undefined);

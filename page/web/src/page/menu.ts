@@ -1,24 +1,47 @@
 // A button that opens a list of others.
 
+import { say, translate } from "../words/words";
+import type { Key } from "../words/table";
 import { h } from "./dom";
 import { icon } from "./icons";
 
+/** A row of a menu: a command by its words, a control of its own, or a line between two groups. */
+export type Row = Command | HTMLElement | "line";
+export interface Command {
+  readonly id: string;
+  readonly say: Key;
+  act(): void;
+  /** Where it says so, the row is shown only then. */
+  when?(): boolean;
+}
+
+/** The elements of rows: those that are not for now are left out. */
+export function elementsOf(rows: readonly Row[]): HTMLElement[] {
+  return rows.flatMap((row) => {
+    if (row === "line") return [h("hr")];
+    if (row instanceof HTMLElement) return [row];
+    return row.when?.() === false ? [] : [entry(say(row.say), () => row.act(), "", row.id)];
+  });
+}
+
 /** A menu under words of a table; its entries are made each time that it opens. */
-export function menu(key: string, picture: Parameters<typeof icon>[0], entries: () => HTMLElement[]): HTMLElement {
+export function menu(key: string, picture: Parameters<typeof icon>[0] | null, entries: () => HTMLElement[]): HTMLElement {
   const list = h("div", { hidden: true });
-  const button = h("button", { type: "button", "aria-haspopup": "true", "aria-expanded": "false", id: `menu-${key}` }, icon(picture), h("span", { "data-say": key }));
+  const button = h("button", { type: "button", "aria-haspopup": "true", "aria-expanded": "false", id: `menu-${key}` }, picture && icon(picture), h("span", { "data-say": key }));
   const root = h("div", { class: "menu" }, button, list);
   const open = (opens: boolean): void => {
     list.hidden = !opens;
     button.setAttribute("aria-expanded", String(opens));
     if (opens) {
       list.replaceChildren(...entries());
+      translate(list);
       list.querySelector("button")?.focus();
     }
   };
   button.addEventListener("click", () => {
+    const opens = list.hidden;
+    open(opens);
     place(list, null);
-    open(list.hidden);
   });
   root.addEventListener("open-at", (event) => {
     open(true);
@@ -37,7 +60,7 @@ export function menu(key: string, picture: Parameters<typeof icon>[0], entries: 
     if (event.key === "Escape" && !list.hidden) {
       open(false);
       button.focus();
-    } else if (event.key === "ArrowDown" || event.key === "ArrowUp") {
+    } else if ((event.key === "ArrowDown" || event.key === "ArrowUp") && !(event.target as Element).matches("select, input")) {
       event.preventDefault();
       buttons[(at + (event.key === "ArrowDown" ? 1 : -1) + buttons.length) % buttons.length]?.focus();
     }
@@ -62,12 +85,17 @@ export function openAt(menu: HTMLElement, at: At): void {
 /** Puts an open list where it is wanted, all of it in the window; null: under its button. */
 function place(list: HTMLElement, at: At | null): void {
   list.classList.toggle("at-point", at !== null);
-  const within = (wanted: number, size: number, room: number): string => `${Math.max(4, Math.min(wanted, room - size - 4))}px`;
-  list.style.left = at ? within(at.x, list.offsetWidth, innerWidth) : "";
-  list.style.top = at ? within(at.y, list.offsetHeight, innerHeight) : "";
+  const within = (wanted: number, size: number, room: number): number => Math.max(4, Math.min(wanted, room - size - 4));
+  list.style.left = at ? `${within(at.x, list.offsetWidth, innerWidth)}px` : "";
+  list.style.top = at ? `${within(at.y, list.offsetHeight, innerHeight)}px` : "";
+  if (at || list.hidden) return;
+  const { left } = list.getBoundingClientRect();
+  list.style.left = `${within(left, list.offsetWidth, innerWidth) - left}px`;
 }
 
 /** An entry of a menu. */
-export function entry(text: string, click: () => void, about = ""): HTMLElement {
-  return h("button", { type: "button", click }, h("span", {}, text, about ? h("small", { class: "note" }, ` – ${about}`) : null));
+export function entry(text: string, click: () => void, about = "", id = ""): HTMLElement {
+  const one = h("button", { type: "button", click }, h("span", {}, text, about ? h("small", { class: "note" }, ` – ${about}`) : null));
+  if (id) one.id = id;
+  return one;
 }

@@ -1,50 +1,52 @@
 // The board as one sees and touches it.
 
-import type { ArduinoUnoElement } from "@wokwi/elements/dist/esm/arduino-uno-element";
 import type { Made } from "../tools/answers";
-import { say, speak, told } from "../words/words";
+import { say, speak } from "../words/words";
 import type { Bench } from "./bench";
-import { Buttons } from "./buttons";
+import { Buttons, kindsIn } from "./buttons";
 import type { CardSlot } from "./cardslot";
 import { h } from "./dom";
 import { icon } from "./icons";
+import { keep, kept } from "./kept";
 import { Lamps } from "./lamps";
 import { announce } from "./notes";
+import { layOut } from "./layout";
 import { inputsOf, upTo } from "./points";
 import { Signal } from "./signal";
 
 const SPEEDS = [1, 0.1, 0.01];
+/** Cards that are seen on request. */
+const CARDS = ["hardware", "faults"] as const;
+export type Card = (typeof CARDS)[number];
+const SHOWN = "cards";
 
 export class Panel {
   private readonly buttons: Buttons;
   private readonly lamps = new Lamps();
-  private readonly status = h("div", { class: "status", id: "status" });
   private readonly contacts: HTMLElement;
   private readonly knobs = h("div", { class: "card knobs", hidden: true });
-  private readonly uno = document.createElement("wokwi-arduino-uno") as ArduinoUnoElement;
   private readonly readings = new Map<number, number>();
-  private shown = "";
+  private readonly cards: Readonly<Record<Card, HTMLElement>>;
+  /** How time goes: what the bar shows of it, and what a menu has. */
+  readonly time: { readonly speed: HTMLElement; readonly rows: readonly HTMLElement[] };
+  readonly allButtons = h("button", { type: "button", id: "all-buttons", "data-say": "moreButtons", "aria-pressed": "false" });
 
   constructor(
     private readonly root: HTMLElement,
     private readonly bench: Bench,
     private readonly slot: CardSlot,
-    start: HTMLElement,
     desk: HTMLElement,
     machine: HTMLElement,
   ) {
     this.buttons = new Buttons((input, pressed, closed) => this.press(input, pressed, closed));
     this.contacts = this.inputs();
-    root.append(
-      h("div", { class: "card" }, this.status, start, desk),
-      machine,
-      this.contacts,
-      h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "lamps" })), this.lamps.root),
-      this.knobs,
-      this.time(),
-      this.hardware(),
-      this.faults(),
-    );
+    this.cards = { hardware: this.hardware(), faults: this.faults() };
+    this.time = this.clock();
+    const lamps = h("div", { class: "card lights" }, h("h3", {}, h("span", { "data-say": "lamps" })), this.lamps.root);
+    const docked = h("div", { class: "docked" }, this.contacts, lamps);
+    root.append(machine, h("div", {}, docked), this.knobs, ...Object.values(this.cards), desk);
+    layOut(docked);
+    for (const card of CARDS) this.cards[card].hidden = !(kept(SHOWN) ?? "").split(" ").includes(card);
     bench.board.follow((board) => {
       // Of the points of what is no board those are shown that the program has.
       if (!board.firmware) return;
@@ -55,10 +57,8 @@ export class Panel {
     bench.pins.follow((pins) => {
       if (bench.where.value !== "simulated") return;
       this.lamps.light((output) => pins?.outputs[output - 1] ?? 0);
-      this.uno.led13 = (pins?.led ?? 0) > 0;
     });
     bench.seen.follow((seen) => {
-      this.state();
       this.buttons.forced(seen?.forcedInputs ?? []);
       this.lamps.forced(seen?.forcedOutputs ?? []);
       if (bench.where.value !== "simulated" && seen) {
@@ -66,9 +66,7 @@ export class Panel {
         this.lamps.light((output) => (dimmed.has(output) ? (dimmed.get(output) ?? 0) / 255 : Number(seen.outputs.includes(output))));
       }
     });
-    for (const signal of [bench.lost, bench.power, bench.upload, bench.paused, speak]) (signal as typeof bench.lost).follow(() => this.state());
     bench.power.follow((on) => {
-      this.uno.ledPower = on;
       if (on) this.buttons.tellAll();
     });
     bench.joined.add((where) => {
@@ -78,9 +76,18 @@ export class Panel {
     });
   }
 
-  /** Loads the picture of the UNO, which stands below what one needs first. Without it the board runs as well. */
-  furnish(): void {
-    import("@wokwi/elements/dist/esm/arduino-uno-element").catch(() => undefined);
+  /** Shows a card that is seen on request, or takes it away; the browser remembers. */
+  turnCard(card: Card): void {
+    const { cards } = this;
+    cards[card].hidden = !cards[card].hidden;
+    keep(SHOWN, CARDS.filter((one) => !cards[one].hidden).join(" "));
+    if (!cards[card].hidden) cards[card].scrollIntoView({ block: "nearest" });
+  }
+
+  /** Makes the buttons as the comment of a program says, if it says something. */
+  kindsOf(text: string): void {
+    const kinds = kindsIn(text);
+    if (kinds) this.buttons.become(kinds);
   }
 
   /** What the program on the board uses: knobs for its analogue inputs, names for its points. */
@@ -146,7 +153,7 @@ export class Panel {
   }
 
   private inputs(): HTMLElement {
-    const more = h("button", { type: "button", class: "quiet small", "data-say": "moreButtons", "aria-pressed": "false" });
+    const more = this.allButtons;
     more.addEventListener("click", () => {
       const all = more.getAttribute("aria-pressed") !== "true";
       more.setAttribute("aria-pressed", String(all));
@@ -156,19 +163,29 @@ export class Panel {
     this.bench.board.follow((board) => {
       more.hidden = board.shared.length === 0;
     });
-    return h("div", { class: "card contacts" }, h("h3", {}, h("span", { "data-say": "buttons" }), h("span", {}, this.buttons.latching, more)), this.buttons.root,
-      h("p", { class: "note", "data-say": "buttonsHint" }));
+    return h("div", { class: "card contacts", "data-say-title": "buttonsHint" }, h("h3", {}, h("span", { "data-say": "buttons" }), h("span", {}, this.buttons.latching, this.buttons.choosing)), this.buttons.root);
   }
 
-  private time(): HTMLElement {
+  private clock(): Panel["time"] {
     const { bench } = this;
     const pause = h("button", { type: "button", id: "pause", click: () => (bench.paused.value ? bench.goOn() : bench.pause()) });
     bench.paused.follow((paused) => {
       pause.replaceChildren(icon(paused ? "play" : "pause"), h("span", { "data-say": paused ? "goOn" : "pause" }, say(paused ? "goOn" : "pause")));
     });
-    const speed = h("select", { "data-say-label": "speed", id: "speed", change: () => bench.speed(Number(speed.value)) },
-      ...SPEEDS.map((factor) => h("option", { value: factor }, factor === 1 ? "1 ×" : `1/${1 / factor}`)));
-    const pace = h("p", { class: "pace", id: "pace" });
+    const turn = (): void => {
+      const factor = Number(speed.value);
+      if (factor === 0) return bench.pause();
+      bench.speed(factor);
+      if (bench.paused.value) bench.goOn();
+      before = speed.value;
+    };
+    let before = "1";
+    const speed = h("select", { "data-say-label": "speed", id: "speed", change: turn },
+      ...SPEEDS.map((factor) => h("option", { value: factor }, factor === 1 ? "1 ×" : `1/${1 / factor}`)), h("option", { value: 0 }, "❚❚"));
+    bench.paused.follow((paused) => {
+      speed.value = paused ? "0" : before;
+    });
+    const pace = h("p", { class: "pace note", id: "pace" });
     const show = (): void => {
       const now = bench.pace.value;
       const two = (factor: number): string => factor.toLocaleString(speak.value === "pt" ? "pt-BR" : "en-US", { maximumSignificantDigits: 2 });
@@ -198,16 +215,12 @@ export class Panel {
     bench.seen.follow((seen) => {
       running.value = seen?.state === "RUN";
     });
-    const card = h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "time" })),
-      h("div", { class: "row" }, pause, speed, scan,
-        h("button", { type: "button", id: "command-run", click: () => void bench.ask({ do: "run" }) }, h("span", { "data-say": "commandRun" })),
-        h("button", { type: "button", id: "command-stop", click: () => void bench.ask({ do: "stop" }) }, h("span", { "data-say": "commandStop" }))),
-      pace);
     bench.where.follow((where) => {
       pause.hidden = speed.hidden = where === "desk";
       pace.hidden = where !== "simulated";
     });
-    return card;
+    const resume = h("button", { type: "button", id: "command-run", click: () => void bench.ask({ do: "run" }) }, h("span", { "data-say": "commandRun" }));
+    return { speed, rows: [pause, scan, resume, pace] };
   }
 
   private async scan(): Promise<void> {
@@ -223,15 +236,13 @@ export class Panel {
       plug.checked = on;
     });
     const reset = h("button", { type: "button", id: "reset", click: () => this.simulated({ kind: "reset" }) }, icon("reset"), h("span", { "data-say": "reset" }));
-    const card = h("div", { class: "card", id: "hardware" }, h("h3", {}, h("span", { "data-say": "simulated" })),
-      h("div", { class: "uno", inert: true }, this.uno),
+    const card = h("div", { class: "card", id: "hardware" }, h("h3", {}, h("span", { "data-say": "simulated" }), this.away("hardware")),
       h("div", { class: "row" }, reset,
         h("label", { class: "switch" }, stop, h("span", { "data-say": "stopSwitch" })),
         h("label", { class: "switch" }, plug, h("span", { "data-say": "plug" })),
         this.slot.control));
-    bench.where.follow((where) => {
-      card.hidden = where !== "simulated";
-    });
+    // A board on the desk has switches of its own.
+    bench.where.follow((where) => card.classList.toggle("elsewhere", where !== "simulated"));
     return card;
   }
 
@@ -242,41 +253,17 @@ export class Panel {
     bench.power.follow(() => {
       armed.checked = false;
     });
-    const card = h("details", { class: "card" }, h("summary", { "data-say": "faults" }),
+    const card = h("div", { class: "card", id: "faults" }, h("h3", {}, h("span", { "data-say": "faults" }), this.away("faults")),
       h("div", { class: "row" }, h("label", { class: "switch" }, bounce, h("span", { "data-say": "faultBounce" }))),
       h("div", { class: "row" }, h("label", { class: "switch" }, armed, h("span", { "data-say": "faultPlug" }))),
       h("div", { class: "row" }, this.slot.pull, h("button", { type: "button", id: "too-large", click: () => document.dispatchEvent(new Event("too-large")) }, h("span", { "data-say": "faultLarge" }))));
-    bench.where.follow((where) => {
-      card.hidden = where !== "simulated";
-    });
+    // A board on the desk has switches of its own.
+    bench.where.follow((where) => card.classList.toggle("elsewhere", where !== "simulated"));
     return card;
   }
 
-  /** What the board does, in words; a screen reader hears each change. */
-  private state(): void {
-    const { bench } = this;
-    const seen = bench.seen.value;
-    const upload = bench.upload.value;
-    const simulated = bench.where.value === "simulated";
-    const here = bench.where.value === "core";
-    let state = "";
-    let text: string;
-    if (simulated && !bench.power.value) text = say("stateOff");
-    else if (upload === "storing") text = say("storing");
-    else if (upload) text = say("sending", { percent: Math.round(upload.share * 100) });
-    else if (!seen) text = bench.lost.value ? told(bench.lost.value) : simulated ? say("stateStarting") : say("stateNone");
-    else {
-      state = seen.state;
-      if (seen.state === "RUN") text = say(here ? "stateRunHere" : "stateRun");
-      else if (seen.state === "STOP") text = say("stateStop");
-      else if (seen.state === "EMPTY") text = say(here ? "stateEmptyHere" : "stateEmpty");
-      else text = seen.fault ? `${say("stateFault")} – ${told(seen.fault.text)}` : say("stateFault");
-    }
-    const now = `${state} ${text}`;
-    if (now === this.shown) return;
-    this.shown = now;
-    this.status.dataset["state"] = state;
-    this.status.textContent = text;
-    if (!upload || upload === "storing") announce(text);
+  /** What closes a card. */
+  private away(card: Card): HTMLElement {
+    return h("button", { type: "button", class: "quiet", "data-say-label": "close", click: () => this.turnCard(card) }, "×");
   }
 }

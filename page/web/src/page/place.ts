@@ -1,14 +1,19 @@
-// The place of this tab in the browser's store: its program, its drawing, its simulated board. Two tabs never have the
-// same one; a link gets a new one, so that it takes the place of nothing.
+// The places of programs in the browser's store: each has its program, its drawing, its simulated board, and how the program
+// was before. A tab is in one of them, and two tabs never in the same one; a program that is opened gets a new one, so that it
+// takes the place of nothing.
 
 import { keep, kept } from "./kept";
 
 /** What a place holds, each under a key of its own. */
-const KINDS = ["program", "drawing", "eeprom", "ways", "contacts", "board"] as const;
+const KINDS = ["program", "drawing", "eeprom", "ways", "contacts", "board", "versions"] as const;
 type Kind = (typeof KINDS)[number];
 
-/** Places that are kept; the oldest go first. */
-const MOST = 24;
+/** Places that are kept; of more, those go first that hold what another holds too. */
+const MOST = 200;
+/** From one version of a program to the next at least, ms; so many are kept, and those of these days. */
+const APART = 600_000;
+const VERSIONS = 20;
+const DAYS = 7;
 const OWN = "place";
 
 /** A program as a place keeps it. */
@@ -23,6 +28,8 @@ const moves: (() => void)[] = [];
 let own = "";
 /** Whether it holds no more than another place does: a link may take it. */
 let isCopy = false;
+/** The place whose program this page has begun to change. */
+let reminded = "";
 take(begin());
 
 /** What this tab has kept; null where it has nothing. */
@@ -32,7 +39,10 @@ export function keptHere(kind: Kind): string | null {
 
 /** Keeps something for this tab; says whether it is kept. */
 export function keepHere(kind: Kind, text: string): boolean {
-  if (kind === "program") isCopy &&= programOf(text)?.text === programOf(keptHere(kind))?.text;
+  if (kind === "program") {
+    isCopy &&= programOf(text)?.text === programOf(keptHere(kind))?.text;
+    remind(text);
+  }
   return keep(`${kind}/${own}`, text);
 }
 
@@ -46,12 +56,82 @@ export function whenMoved(then: () => void): void {
   moves.push(then);
 }
 
+/** A program in its place. */
+export interface Placed extends KeptProgram {
+  readonly id: string;
+}
+
+/** The place of this tab. */
+export function here(): string {
+  return own;
+}
+
+/** Goes to a place; a tab that is there goes on in a copy of it. */
+export function moveTo(id: string): void {
+  if (id === own) return;
+  isCopy = false;
+  take(id);
+}
+
 /** The programs of the other places, the newest first, each once. */
-export function others(): KeptProgram[] {
-  const here = programOf(keptHere("program"));
-  const all = places().filter(([id]) => id !== own).map(([, program]) => program);
-  const isFirst = (one: KeptProgram, at: number): boolean => [here, ...all.slice(0, at)].every((other) => one.name !== other?.name || one.text !== other.text);
+export function others(): Placed[] {
+  const now = programOf(keptHere("program"));
+  const all = places().filter(([id]) => id !== own).map(([id, program]): Placed => ({ id, ...program }));
+  const isFirst = (one: KeptProgram, at: number): boolean => [now, ...all.slice(0, at)].every((other) => one.name !== other?.name || one.text !== other.text);
   return all.filter(isFirst).filter((one) => one.text.trim() !== "");
+}
+
+/** What a place holds of one kind. */
+export function keptAt(id: string, kind: Kind): string | null {
+  return kept(`${kind}/${id}`);
+}
+
+/** Gives the program of a place another name. */
+export function rename(id: string, name: string): void {
+  const program = programOf(keptAt(id, "program"));
+  if (program) keep(`program/${id}`, JSON.stringify({ ...program, name }));
+}
+
+/** Has another place hold the same under a name. */
+export function duplicate(id: string, name: string): void {
+  const to = token();
+  for (const kind of KINDS) {
+    const held = keptAt(id, kind);
+    if (held !== null) keep(`${kind}/${to}`, held);
+  }
+  rename(to, name);
+}
+
+/** Lets a place go; gives what brings it back. */
+export function remove(id: string): () => void {
+  const held = KINDS.map((kind) => [kind, keptAt(id, kind)] as const);
+  for (const kind of [...KINDS, "claim"]) drop(`${kind}/${id}`);
+  return () => {
+    for (const [kind, text] of held) if (text !== null) keep(`${kind}/${id}`, text);
+  };
+}
+
+/** How the program of a place was before, the newest first. */
+export function versionsOf(id: string): readonly KeptProgram[] {
+  try {
+    const all = JSON.parse(keptAt(id, "versions") ?? "[]") as unknown;
+    return Array.isArray(all) ? all.map((one) => programOf(JSON.stringify(one))).filter((one) => one !== null) : [];
+  } catch {
+    return [];
+  }
+}
+
+/** Another text is about to take the place of what is kept: a while after the last version that becomes one. */
+function remind(text: string): void {
+  const before = programOf(keptHere("program"));
+  if (!before || before.text.trim() === "" || before.text === programOf(text)?.text) return;
+  const all = versionsOf(own);
+  const [last] = all;
+  const isFirst = reminded !== own;
+  reminded = own;
+  if (last && (last.text === before.text || (!isFirst && before.at - last.at < APART))) return;
+  const isRecent = (one: KeptProgram): boolean => before.at - one.at < DAYS * 86_400_000;
+  keep(`versions/${own}`, JSON.stringify([before, ...all].filter((one, at) => at < 3 || isRecent(one)).slice(0, VERSIONS)));
 }
 
 /** A program as it was kept; null for anything else. */
@@ -114,11 +194,13 @@ function places(): (readonly [string, KeptProgram])[] {
   return all.sort(([, one], [, other]) => other.at - one.at);
 }
 
-/** Lets the oldest places go. */
+/** Lets places go where there are too many: copies, and then the oldest. */
 function tidy(): void {
-  for (const [id] of places().slice(MOST)) {
-    for (const kind of [...KINDS, "claim"]) drop(`${kind}/${id}`);
-  }
+  const all = places();
+  const isCopyOf = ([, one]: (typeof all)[number], at: number): boolean => all.slice(0, at).some(([, other]) => other.name === one.name && other.text === one.text);
+  const copies = all.filter(isCopyOf);
+  const rest = all.filter((one) => !copies.includes(one));
+  for (const [id] of [...rest, ...copies].slice(MOST)) remove(id);
 }
 
 function token(): string {

@@ -17,13 +17,13 @@ import { LadderView } from "./ladder";
 import { later } from "./later";
 import { note } from "./notes";
 import { countOf, showProblems } from "./problems";
-import type { Tabs } from "./tabs";
 
-const VIEWS = ["text", "both", "ladder", "draw"] as const;
-const TITLES = { text: "viewText", both: "viewBoth", ladder: "viewLadder", draw: "viewDraw" } as const;
+const VIEWS = ["draw", "both", "text"] as const;
+const TITLES = { draw: "viewDraw", both: "viewBoth", text: "viewText" } as const;
 export class ProgramView {
   private readonly ladder: LadderView;
-  private readonly count = h("button", { type: "button", class: "quiet problem-count", id: "problem-count" });
+  /** How many problems there are: what the tab of the problems says. */
+  readonly count = h("span", { class: "problem-count", id: "problem-count" });
   private readonly size = h("span", { class: "chip" });
   /** The screen on which one draws, as soon as somebody has wanted it. */
   private screen: (() => Promise<Screen | null>) | null = null;
@@ -36,7 +36,6 @@ export class ProgramView {
     private readonly tools: RemoteTools,
     private readonly bench: Bench,
     private readonly problems: HTMLElement,
-    tabs: Tabs,
     /** Opens another program, which can be undone. */
     private readonly open: (text: Text) => void,
     forBoard: ForBoard,
@@ -46,8 +45,8 @@ export class ProgramView {
       point: (point) => force(this.bench, point),
     });
     byId("drawing").append(this.ladder.zoomButtons());
-    this.count.addEventListener("click", () => tabs.open("problems"));
-    byId("program-bar").append(this.views(), this.count, h("span", { class: "grow" }), forBoard.control, this.size);
+    byId("program-bar").prepend(this.views());
+    byId("program-bar").append(h("span", { class: "grow" }), this.size);
     byId("program-bar").after(forBoard.note);
     const name = byId("name") as HTMLInputElement;
     name.addEventListener("change", () => {
@@ -78,15 +77,18 @@ export class ProgramView {
       keep("view", view);
       buttons.forEach((button, index) => button.setAttribute("aria-pressed", String(VIEWS[index] === view)));
       this.ladderNow();
+      byId("draw-tools").hidden = view !== "draw";
       if (view === "draw" || this.screen) void this.drawing().then((screen) => screen?.show(root.dataset["view"] === "draw"));
     };
-    show(VIEWS.find((view) => view === kept("view")) ?? "both");
+    // What 0.2.0 called the ladder is the drawing now.
+    show(VIEWS.find((view) => view === kept("view")) ?? "draw");
     return h("div", { class: "group", role: "group", "data-say-label": "views" }, ...buttons);
   }
 
-  /** Shows the screen on which one draws. */
-  goDraw(): void {
+  /** Shows the screen on which one draws; with the palette where somebody wants to draw at once. */
+  goDraw(begins = false): void {
     byId("view-draw").click();
+    if (begins) void this.drawing().then((screen) => screen?.begin());
   }
 
   /** Loads the screen on which one draws; null where that cannot be had now. */
@@ -96,7 +98,7 @@ export class ProgramView {
       program.text.value = text;
       this.editor.show(text.text);
     };
-    this.screen ??= later(async () => (await import("./draw/screen")).Screen.open(byId("draw"), { program, tools, bench, write, open: this.open }));
+    this.screen ??= later(async () => (await import("./draw/screen")).Screen.open(byId("draw"), byId("draw-tools"), { program, tools, bench, write, open: this.open }));
     return this.screen();
   }
 
@@ -126,7 +128,7 @@ export class ProgramView {
   /** Draws the ladder, where there is one and it is on the screen. */
   private ladderNow(): void {
     const looked = this.program.looked.value;
-    const isShown = ["both", "ladder"].includes(byId("views").dataset["view"] ?? "");
+    const isShown = byId("views").dataset["view"] === "both";
     if (looked?.checked.program && isShown) void this.draw(looked);
   }
 

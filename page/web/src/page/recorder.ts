@@ -64,10 +64,10 @@ export class Recorder {
   }
 
   /** As a table for a spreadsheet: a line for each change. */
-  csv(names: readonly string[]): string {
+  csv(names: readonly string[], headed = (name: string): string => name): string {
     const { times, values } = this.table(names, 0, this.now);
     const line = (time: number, index: number): string => [time.toFixed(3), ...values.map((one) => (Number.isNaN(one[index]) ? "" : String(one[index])))].join(",");
-    return [["ms", ...names].join(","), ...times.map(line)].join("\n") + "\n";
+    return [["ms", ...names.map(headed)].join(","), ...times.map(line)].join("\n") + "\n";
   }
 }
 

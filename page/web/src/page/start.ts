@@ -1,22 +1,19 @@
-// The button that puts the program on the board and runs it.
+// Run and Stop: what is written is put on the board and runs, or the board stops.
 
 import { Refusal } from "../tools/tools";
 import { say, speak, told } from "../words/words";
 import type { Bench } from "./bench";
 import type { ProgramDocument } from "./document";
-import { h, put } from "./dom";
+import { h } from "./dom";
 import type { ForBoard } from "./forboard";
 import { icon } from "./icons";
 import { note } from "./notes";
 import { whyNot } from "./problems";
 import type { Tabs } from "./tabs";
 
-export function startControl(bench: Bench, program: ProgramDocument, forBoard: ForBoard, tabs: Tabs, goDraw: () => void): { control: HTMLElement; run: () => Promise<void> } {
-  const button = h("button", { type: "button", class: "primary", id: "run" }, icon("play"));
-  const word = h("span");
-  button.append(word);
-  const bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": "upload" });
-  const about = h("p", { class: "note", id: "about-program" });
+export function startControl(bench: Bench, program: ProgramDocument, forBoard: ForBoard, tabs: Tabs, goDraw: () => void): { controls: readonly HTMLElement[]; run: () => Promise<void> } {
+  const button = h("button", { type: "button", class: "primary", id: "run" }, icon("play"), h("span", { "data-say": "run" }));
+  const stop = h("button", { type: "button", id: "command-stop", click: () => void bench.ask({ do: "stop" }) }, icon("stop"), h("span", { "data-say": "stop" }));
   const run = async (): Promise<void> => {
     const looked = await program.now();
     if (!program.whole) {
@@ -57,21 +54,11 @@ export function startControl(bench: Bench, program: ProgramDocument, forBoard: F
   });
   const show = (): void => {
     const here = !forBoard.chosen.firmware;
-    const there = bench.identity.value !== null || here;
-    word.dataset["say"] = here ? "runHere" : "run";
-    put(word, say(here ? "runHere" : "run"));
-    button.disabled = !there || bench.upload.value !== null;
-    const on = bench.on.value;
-    const text = program.text.value;
-    const changed = on !== null && (on.text !== text.text || on.name !== text.name);
-    put(about, changed ? say("changed") : bench.seen.value?.same === false && bench.seen.value.state !== "EMPTY" ? say("otherProgram") : "");
+    button.disabled = (bench.identity.value === null && !here) || bench.upload.value !== null;
+    button.title = `${say(here ? "runHere" : "runBoard")} (Ctrl+Enter)`;
+    const state = bench.seen.value?.state;
+    stop.disabled = state === undefined || state === "STOP" || state === "EMPTY";
   };
-  bench.upload.follow((upload) => {
-    bar.hidden = upload === null;
-    if (upload !== null && upload !== "storing") bar.value = upload.share;
-    else if (upload === "storing") bar.removeAttribute("value");
-    show();
-  });
-  for (const signal of [bench.identity, bench.on, bench.seen, program.text, program.board, speak]) (signal as typeof bench.identity).follow(show);
-  return { control: h("div", { class: "row" }, button, bar, about), run };
+  for (const signal of [bench.identity, bench.upload, bench.seen, program.board, speak]) (signal as typeof bench.identity).follow(show);
+  return { controls: [button, stop], run };
 }

@@ -1,7 +1,6 @@
 // Light or dark, as the person wants it; until then as the computer has it.
 
 import { h } from "./dom";
-import { icon } from "./icons";
 import { keep, kept } from "./kept";
 
 /** The button that changes it. */
@@ -17,11 +16,11 @@ export function theme(): HTMLElement {
     if (!kept("theme")) set(dark.matches);
   });
   return h("button", {
-    type: "button", id: "theme", "data-say-label": "theme",
+    type: "button", id: "theme", "data-say": "theme",
     click: () => {
       const is = document.documentElement.dataset["theme"] !== "dark";
       keep("theme", is ? "dark" : "light");
       set(is);
     },
-  }, icon("moon"));
+  });
 }

@@ -9,7 +9,7 @@ import { download } from "./files";
 import { Moments } from "./moments";
 import { announce } from "./notes";
 import { decimal, fixed } from "./numbers";
-import { type Point, upTo } from "./points";
+import { type Point, forcedNames, forcedTo, upTo } from "./points";
 import { Recorder } from "./recorder";
 import { timingSvg } from "./timing";
 
@@ -18,6 +18,8 @@ const SPANS = [2, 5, 10, 30, 120];
 const LEAST = 1;
 /** Height of a lane, CSS pixels. */
 const LANE = 30;
+/** More channels than this are not all shown at first. */
+const MANY = 8;
 /** From one picture to the next at least, ms: each is drawn whole, and a slow computer has a board to simulate. */
 const PICTURE = 50;
 
@@ -35,6 +37,10 @@ export class Trend {
   /** The time of the cursor, and what each channel is there. */
   private readonly reading = h("span", { class: "note", id: "trend-reading" });
   private readonly hidden = new Set<string>();
+  /** Those whose channel has been offered: what a person chose of them stays. */
+  private readonly offered = new Set<string>();
+  /** The names of all that is forced. */
+  private marked: ReadonlySet<string> = new Set();
   private points: readonly Point[] = [];
   private chart: uPlot | null = null;
   /** The channels of the chart; none: it is to be made again. */
@@ -71,9 +77,13 @@ export class Trend {
     bench.seen.follow((seen) => {
       if (!seen) return;
       this.settle();
+      this.marked = new Set(forcedNames(seen));
       if (bench.where.value === "simulated") this.held = { seen, at: bench.simulated.now() };
       else {
-        for (const point of this.points) this.recorder.note(point.name, seen.at, point.value(seen), point.kind === "bit");
+        for (const point of this.points) {
+          const forced = point.hand === "force" ? forcedTo(seen, point.name) : null;
+          this.recorder.note(point.name, seen.at, forced === null ? point.value(seen) : Number(forced), point.kind === "bit");
+        }
         this.recorder.now = Math.max(this.recorder.now, seen.at);
       }
       this.redraw();
@@ -124,6 +134,12 @@ export class Trend {
   /** Shows these points from now on. */
   watch(points: readonly Point[]): void {
     this.points = points;
+    for (const { name, called } of points) {
+      if (this.offered.has(name)) continue;
+      this.offered.add(name);
+      // Of many those are shown first that a person knows by name, or sees at the board.
+      if (points.length > MANY && called === "" && !/^[IQ]/.test(name)) this.hidden.add(name);
+    }
     this.build();
   }
 
@@ -162,7 +178,7 @@ export class Trend {
         h("span", { class: "group" }, hand("zoomOut", "−", () => this.zoom(2)), hand("zoomIn", "+", () => this.zoom(1 / 2))),
         h("span", { class: "group" }, hand("trendBefore", "◂", () => this.step(-1)), hand("trendAfter", "▸", () => this.step(1))),
         small("trendSvg", () => download("timing.svg", this.svg(), "image/svg+xml")),
-        small("trendCsv", () => download("timing.csv", this.recorder.csv(this.names), "text/csv")),
+        small("trendCsv", () => download("timing.csv", this.recorder.csv(this.names, (name) => this.headed(name)), "text/csv")),
         small("trendClear", () => { this.recorder.forget(); this.drawn = []; this.redraw(); }),
         this.channels, this.reading),
       this.points.length > 0 ? this.plot : h("p", { class: "empty" }, say("trendEmpty")));
@@ -310,9 +326,16 @@ export class Trend {
     return chart;
   }
 
+  /** What the column of a channel is headed by in a table. */
+  private headed(name: string): string {
+    const called = this.points.find((point) => point.name === name)?.called;
+    return called ? `${called} ${name}` : name;
+  }
+
   /** A lane's name, and its value under the cursor. */
   private labelOf(name: string): string {
-    const called = this.points.find((point) => point.name === name)?.called || name;
+    const point = this.points.find((point) => point.name === name)?.called || name;
+    const called = this.marked.has(name) ? `${point} (${say("forced")})` : point;
     const value = this.cursor === null ? undefined : this.recorder.table([name], this.cursor, this.cursor).values[0]?.[0];
     return value === undefined || Number.isNaN(value) ? called : `${called} = ${decimal(value)}`;
   }

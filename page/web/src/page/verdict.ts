@@ -12,7 +12,10 @@ import { whyNot } from "./problems";
 import { Replay } from "./replay";
 
 export class Verdict {
+  /** The cases, the diagram of the first that fails, the machine. */
   readonly element = h("div", { class: "outcome" });
+  /** What came of it in a line, which stays in view. */
+  readonly line = h("p", { class: "verdict", id: "verdict", role: "status", hidden: true });
   private came: Outcome | Refusal | null = null;
   private replay: Replay | null = null;
   /** The language in which it was told last. */
@@ -54,9 +57,11 @@ export class Verdict {
       this.spoken = speak.value;
       void this.replay?.load(false);
     }
-    const line = h("p", { class: `verdict ${this.passed() ? "good" : "bad"}`, id: "verdict", role: "status" }, this.text());
+    this.line.hidden = false;
+    this.line.className = `verdict ${this.passed() ? "good" : "bad"}`;
+    this.line.textContent = this.text();
     if (this.came instanceof Refusal) {
-      this.element.replaceChildren(line);
+      this.element.replaceChildren();
       return;
     }
     const cases = this.came.cases.map(([one, passed]) =>
@@ -68,7 +73,7 @@ export class Verdict {
     if (shown) diagram.innerHTML = told(shown.svg);
     const { machine } = this.came;
     const fared = machine && h("p", { class: machine.passed ? "good" : "bad", id: "machine-verdict" }, `${machine.passed ? "✓" : "✗"} ${say("theMachine")}${machine.why ? `: ${told(machine.why)}` : ""}`);
-    this.element.replaceChildren(line, h("ul", { class: "cases" }, ...cases), diagram, ...(fared ? [fared] : []), ...(this.replay ? [this.replay.element] : []));
+    this.element.replaceChildren(h("ul", { class: "cases" }, ...cases), diagram, ...(fared ? [fared] : []), ...(this.replay ? [this.replay.element] : []));
   }
 
   private passed(): boolean {

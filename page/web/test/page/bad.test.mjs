@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import { Lab, choose, give, type } from "./harness.mjs";
+import { Lab, choose, give, tab, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page @typedef {readonly [en: RegExp, pt: RegExp]} Said */
 
@@ -24,7 +24,7 @@ const link = (hash) => (/** @type {Page} */ page) => page.evaluate((hash) => voi
 const file = (name, bytes) => (/** @type {Page} */ page) => choose(page, name, bytes);
 /** @param {Buffer} bytes */
 const image = (bytes) => async (/** @type {Page} */ page) => {
-  await page.click("#tab-card");
+  await tab(page, "card");
   await give(page, () => page.click("#open-card"), "card.img", bytes);
 };
 

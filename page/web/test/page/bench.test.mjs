@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, lamp, run, state, type } from "./harness.mjs";
+import { Lab, lamp, run, state, tab, type } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -17,13 +17,13 @@ test("a card runs its program after a reset, and shows its files", async () => {
   const page = await lab.open();
   await type(page, "LD I1\nST Q2\n", "card.il");
   await page.locator('.ladder .element[data-point="Q2"]').waitFor();
-  await page.click("#tab-card");
+  await tab(page, "card");
   await page.click("#make-card");
   await page.locator("#panel-card pre").first().waitFor();
   assert.match((await page.textContent("#panel-card")) ?? "", /PROGRAM\.TXT[^]*877902[^]*STATE\.TXT/);
   await page.click("#reset");
   await state(page, "RUN");
-  await page.click("#tab-serial");
+  await tab(page, "serial");
   await page.locator("#panel-serial", { hasText: "RUN" }).waitFor();
   await holding(page, 1, () => lamp(page, 2, true));
   await page.context().close();

@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Lab, clean, lamp, pictures, run, state, type } from "./harness.mjs";
+import { Lab, clean, lamp, pick, pictures, run, select, state, tab, type } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -19,16 +19,16 @@ after(() => lab.end());
 /** A program that no board holds: I 09 lights Q 40, and Q 41 comes after a moment. */
 const NINE = "LD I9\nST Q40\nLDN S1\nTON T1, 20\nST Q41\n";
 
-for (const { locale, none, fits, lacks, runs, card, saveCard } of [
-  { locale: "en-US", none: /PC is not a board/, fits: /also fits on UNO, Nano/, lacks: /No board holds this program: the UNO lacks inputs 09; outputs 40, 41\./, runs: /RUN: this computer/, card: /the UNO lacks inputs 09/, saveCard: /card/i },
-  { locale: "pt-BR", none: /PC não é uma placa/, fits: /também cabe em UNO, Nano/, lacks: /Nenhuma placa comporta este programa: faltam ao UNO as entradas 09; as saídas 40, 41\./, runs: /RUN: este computador/, card: /faltam ao UNO as entradas 09/, saveCard: /cartão/i },
+for (const { locale, none, fits, lacks, runs, card } of [
+  { locale: "en-US", none: /PC is not a board/, fits: /also fits on UNO, Nano/, lacks: /No board holds this program: the UNO lacks inputs 09; outputs 40, 41\./, runs: /RUN: this computer/, card: /the UNO lacks inputs 09/ },
+  { locale: "pt-BR", none: /PC não é uma placa/, fits: /também cabe em UNO, Nano/, lacks: /Nenhuma placa comporta este programa: faltam ao UNO as entradas 09; as saídas 40, 41\./, runs: /RUN: este computador/, card: /faltam ao UNO as entradas 09/ },
 ]) {
   test(`a board that is none is called so, and sent to nobody, ${locale}`, async () => {
     const page = await lab.open({ locale });
     const note = page.locator("#board-note");
     await page.locator("#problem-count.good").waitFor();
     assert.ok(await note.isHidden());
-    await page.selectOption("#for-board", "pc");
+    await select(page, "#for-board", "pc");
     await note.filter({ hasText: none }).filter({ hasText: fits }).waitFor();
     await run(page);
     await page.locator("#status", { hasText: runs }).waitFor();
@@ -43,7 +43,7 @@ for (const { locale, none, fits, lacks, runs, card, saveCard } of [
     await page.mouse.up();
     await lamp(page, 40, false);
     await page.locator('[data-output="41"][data-on="true"]').waitFor();
-    await page.click("#tab-watch");
+    await tab(page, "watch");
     await page.locator('tr[data-point="I9"] button', { hasText: /1$/ }).click();
     await lamp(page, 40, true);
     await page.click("#release");
@@ -52,12 +52,11 @@ for (const { locale, none, fits, lacks, runs, card, saveCard } of [
     await page.click("#command-stop");
     await state(page, "STOP");
     await lamp(page, 41, false);
-    await page.click("#command-run");
+    await pick(page, "#command-run");
     await state(page, "RUN");
     await lamp(page, 41, true);
     // No card is made of it.
-    await page.click("#menu-fileMenu");
-    await page.locator(".menu button").filter({ hasText: saveCard }).click();
+    await pick(page, "#save-card");
     await page.locator("#notes", { hasText: card }).waitFor();
     assert.equal(await page.locator("progress:visible").count(), 0);
     await clean(page, "a board that is none");
@@ -71,7 +70,7 @@ for (const { locale, none, fits, lacks, runs, card, saveCard } of [
     await note.filter({ hasText: lacks }).waitFor();
     await run(page);
     await lamp(page, 41, true);
-    await page.selectOption("#for-board", "uno");
+    await select(page, "#for-board", "uno");
     await page.locator("#problem-count.bad").waitFor();
     await note.waitFor({ state: "hidden" });
     // The simulated UNO takes over again, with its own buttons and lamps.

@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { Lab, findings, run, state, type } from "./harness.mjs";
+import { Lab, findings, pick, run, state, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -37,7 +37,7 @@ function wrong(plant) {
 
 /** Opens a machine from the gallery. @param {Page} page @param {string} plant */
 async function open(page, plant) {
-  await page.click("#machines");
+  await pick(page, "#machines");
   await page.locator(`#gallery [data-machine="${plant}.toml"]`).click();
   await page.locator("#machine").waitFor();
 }

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, run, type } from "./harness.mjs";
+import { Lab, pick, run, type } from "./harness.mjs";
 import { connected } from "./plugged.mjs";
 
 /** @type {Lab} */
@@ -27,7 +27,7 @@ test("a board at a port is found, takes a program, is live, and is lost", async 
   await page.evaluate("port.pull()");
   await page.locator("#notes", { hasText: "The connection to the board is lost" }).waitFor();
   // The way back is the simulated board.
-  await page.click("#connect");
+  await pick(page, "#connect");
   await page.locator("#hardware").waitFor();
   await page.context().close();
 });
@@ -54,7 +54,7 @@ test("a program in a typed language goes to a board at a port without a reset, a
 test("a browser without WebSerial says which have it", async () => {
   const page = await lab.open();
   await page.evaluate(() => Object.defineProperty(navigator, "serial", { value: undefined, configurable: true }));
-  await page.click("#connect");
+  await pick(page, "#connect");
   await page.locator("#notes", { hasText: "Use Chrome, Edge or Opera" }).waitFor();
   assert.ok(await page.isVisible("#hardware"));
   await page.context().close();

@@ -6,7 +6,7 @@ import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fingers, holding, mouse, touch } from "./hands.mjs";
-import { Lab, clean, keptText, lamp, lightAndDark, pictures, run, still, type } from "./harness.mjs";
+import { Lab, clean, keptText, lamp, lightAndDark, pick, pictures, run, select, still, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @type {Lab} */
@@ -24,7 +24,7 @@ const COUNTER = [0, 827301, 67848501, 5, 787600, 827302, 67846801, 5, 787600, 76
 
 /** The codes of what is drawn, as the page shows them. @param {Page} page */
 async function codes(page) {
-  await page.click("#draw-texts");
+  await pick(page, "#draw-texts");
   await page.selectOption("#texts select", "numeric");
   const text = page.locator("#texts pre", { hasText: /^(\/.*\n)*0\n/ });
   await text.waitFor();
@@ -183,13 +183,13 @@ test("seal-in with a branch, by mouse: dragged onto places that light up", async
   await run(page);
   await holding(page, 1, () => lamp(page, 1, true));
   // A click forces where one operates.
-  await page.check("#operate");
+  await pick(page, "#operate");
   await page.locator('#sheet .element[data-point="I2"]').click();
   await lamp(page, 1, false);
   await page.locator('#sheet .element.forced[data-point="I2"]').waitFor();
   await page.locator('#sheet .element[data-point="I2"]').click();
   await page.locator('#sheet .element[data-point="I2"]').click();
-  await page.uncheck("#operate");
+  await pick(page, "#operate");
   assert.deepEqual(await undone(page), { elements: 0, text: "" });
   await page.context().close();
 });
@@ -289,7 +289,7 @@ test("elements and rungs are copied, moved, found and named", async () => {
   await page.fill("#field-comment", "The pump");
   await keys(page, "Enter");
   await page.locator("#sheet .heading", { hasText: "Rung 1: The pump" }).waitFor();
-  await page.click("#draw-symbols");
+  await pick(page, "#draw-symbols");
   await page.fill("#symbol-point", "Q1");
   await page.fill("#symbol-name", "pump");
   await page.fill("#symbol-comment", "on the roof");
@@ -322,7 +322,7 @@ test("elements and rungs are copied, moved, found and named", async () => {
   await page.mouse.up();
   await page.locator('#sheet .rung[data-rung="2"] .element[data-point="I1"]').waitFor({ state: "detached" });
   assert.deepEqual(await codes(page), [0, -827301, 827301, 877902, 787600, 877901]);
-  await page.click("#draw-find");
+  await pick(page, "#draw-find");
   await page.fill("#find-words", "roof");
   await page.keyboard.press("Enter");
   await settled('#sheet .element.selected[data-point="Q1"]');
@@ -343,7 +343,7 @@ test("axe-core finds nothing on the drawing screen, light and dark", async () =>
   await page.locator("#mistakes .error").first().waitFor();
   await clean(page, "a mistake");
   await shot("draw");
-  await page.click("#draw-symbols");
+  await pick(page, "#draw-symbols");
   await clean(page, "the names");
   await page.locator("#symbols header button").click();
   await page.focus("#sheet");
@@ -396,7 +396,7 @@ for (const [locale, width, name] of /** @type {const} */ ([["en-US", "612", "Nam
     await page.evaluate(() => {
       window.print = () => undefined;
     });
-    await page.click("#draw-print");
+    await pick(page, "#draw-print");
     const sheets = page.locator("#printed > svg");
     await sheets.first().waitFor({ state: "attached" });
     assert.equal(await page.locator("#printed .rung").count(), 30);
@@ -463,9 +463,9 @@ test("what a drawing would lose of a text is told before the first change, and a
   await page.keyboard.press("Delete");
   await page.keyboard.press("ArrowDown");
   assert.equal(await keptText(page), TYPED);
-  await page.selectOption("#speak", "pt");
+  await select(page, "#speak", "pt");
   await banner.filter({ hasText: "reescreve este texto e perde: declarações de tipos" }).waitFor();
-  await page.selectOption("#speak", "en");
+  await select(page, "#speak", "en");
   await page.click("#draw-copy");
   await page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.getElementById("name")).value === "mine-copy.il");
   await banner.waitFor({ state: "hidden" });

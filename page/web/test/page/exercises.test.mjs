@@ -4,7 +4,8 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { Lab, findings, type } from "./harness.mjs";
+import { fingers } from "./hands.mjs";
+import { Lab, findings, pick, select, type } from "./harness.mjs";
 
 /** @param {string} name of a program of programs/exercises */
 const program = (name) => readFileSync(new URL(`../../../../programs/exercises/${name}`, import.meta.url), "utf8");
@@ -18,6 +19,8 @@ after(() => lab.end());
 
 test("an exercise shows its task and hints, and the first failing case as a timing diagram", async () => {
   const page = await lab.still();
+  await page.focus("#menu-learnMenu");
+  await page.keyboard.press("Enter");
   await page.focus("#exercises");
   await page.keyboard.press("Enter");
   const exercise = page.locator("#exercise");
@@ -49,7 +52,7 @@ test("an exercise shows its task and hints, and the first failing case as a timi
   await exercise.locator("#verdict.bad", { hasText: "Stop wins" }).waitFor();
   assert.equal(await diagram.count(), 0);
 
-  await page.selectOption("#speak", "pt");
+  await select(page, "#speak", "pt");
   await exercise.locator("#verdict.bad", { hasText: "A parada vence" }).waitFor();
   await exercise.locator("h3", { hasText: "Partida e parada de um motor" }).waitFor();
   await check("wrong/05-motor.il");
@@ -59,7 +62,7 @@ test("an exercise shows its task and hints, and the first failing case as a timi
   assert.match((await page.locator("#exercise-list option:checked").textContent()) ?? "", /✓/);
 
   await page.reload();
-  await page.click("#exercises");
+  await pick(page, "#exercises");
   await exercise.locator("h3", { hasText: "Partida e parada de um motor" }).waitFor();
   assert.match((await page.locator("#exercise-list option:checked").textContent()) ?? "", /^5\. .* ✓$/);
   await page.context().close();
@@ -67,7 +70,7 @@ test("an exercise shows its task and hints, and the first failing case as a timi
 
 test("an exercise with a machine has two verdicts, and its machine stands beside the board", async () => {
   const page = await lab.still();
-  await page.click("#exercises");
+  await pick(page, "#exercises");
   await page.selectOption("#exercise-list", { index: 27 });
   await page.locator("#machine").waitFor();
   const check = async (/** @type {string} */ name) => {
@@ -80,7 +83,7 @@ test("an exercise with a machine has two verdicts, and its machine stands beside
   await check("../plants/wrong/belts-stop.st");
   await page.locator("#machine-verdict.bad", { hasText: "at 47 s a goal was missed" }).waitFor();
   await page.locator("#verdict.bad").waitFor();
-  await page.selectOption("#speak", "pt");
+  await select(page, "#speak", "pt");
   await page.locator("#machine-verdict.bad", { hasText: "uma meta não foi atingida" }).waitFor();
   assert.deepEqual(await findings(page), []);
   // One without a machine takes it away again.
@@ -91,7 +94,7 @@ test("an exercise with a machine has two verdicts, and its machine stands beside
 
 test("on a phone the timing diagram scrolls and stays readable, and axe-core finds nothing", async () => {
   const page = await lab.still({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
-  await page.tap("#exercises");
+  await pick(page, "#exercises", fingers);
   await page.selectOption("#exercise-list", { index: 5 });
   await page.tap("#exercise-check");
   const diagram = page.locator("#exercise .diagram:not(#replay .diagram)");

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, choose, lamp, run } from "./harness.mjs";
+import { Lab, choose, lamp, run, tab } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -99,6 +99,18 @@ test("a file that is dropped on the page is opened", async () => {
   await page.context().close();
 });
 
+test("a forced input shows its forced value in the timing, marked", async () => {
+  const page = await lab.open();
+  await run(page);
+  await tab(page, "watch");
+  await page.locator('tr[data-point="I1"] button', { hasText: /1$/ }).click();
+  await lamp(page, 1, true);
+  await tab(page, "trend");
+  await page.click("#trendBefore");
+  await page.locator("#trend-reading", { hasText: /start \(forced\) = 1/ }).waitFor();
+  await page.context().close();
+});
+
 test("the program, its code, its ladder and the timing diagram are saved", async () => {
   const page = await lab.open();
   const save = async (/** @type {string} */ entry) =>
@@ -122,7 +134,7 @@ test("the program, its code, its ladder and the timing diagram are saved", async
   await holding(page, 1, () => lamp(page, 1, true));
   await lamp(page, 1, true);
   const csv = await downloaded(page, () => page.getByRole("button", { name: "Export CSV" }).click());
-  assert.match(csv.text, /^ms,I1,I2,Q1\n[^]*,1,0,1\n/);
+  assert.match(csv.text, /^ms,start I1,stop I2,motor Q1\n[^]*,1,0,1\n/);
   const svg = await downloaded(page, () => page.getByRole("button", { name: "Export SVG" }).click());
   assert.match(svg.text, /^<svg[^]*motor/);
   await page.context().close();

@@ -58,7 +58,7 @@ test("a first visit by Firefox runs, is changed, drawn and kept", async () => {
   await page.mouse.up();
   await page.waitForSelector('[data-output="2"][data-on="false"]');
   // Its ladder is there, and all of it after a reload.
-  await page.click("#view-ladder");
+  await page.click("#view-draw");
   await page.waitForSelector('.ladder .element[data-point="Q2"]');
   await page.reload();
   await page.waitForSelector('.ladder .element[data-point="Q2"]');

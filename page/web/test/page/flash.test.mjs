@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, run, still, type } from "./harness.mjs";
+import { Lab, pick, run, select, still, type, unfold } from "./harness.mjs";
 import { Cable } from "./port.mjs";
 import { Served } from "./served.mjs";
 
@@ -32,7 +32,8 @@ async function boxed(bootLoader, isSmall) {
   await still(page);
   // The simulated board has taken its own before.
   if (isSmall) await page.route(/unoclp(-nano)?\.hex$/, (route) => route.fulfill({ body: SMALL }));
-  await page.click("#connect");
+  await pick(page, "#connect");
+  await unfold(page, "#put-firmware");
   await page.locator("#put-firmware").waitFor();
   const end = async () => {
     await page.context().close();
@@ -52,7 +53,7 @@ async function noted(page, text) {
 
 test("a board out of its box gets the firmware, runs a program live, and comes back where it was unplugged", async () => {
   const { page, cable, end } = await boxed("optiboot", false);
-  await page.click("#put-firmware");
+  await pick(page, "#put-firmware");
   await page.locator("#desk-about", { hasText: /^Firmware: [1-9]\d? %$/ }).waitFor();
   await noted(page, "The firmware was written and verified.");
   await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
@@ -96,19 +97,19 @@ test("what goes wrong on the way is told with what to do, and the next try works
       ["en", english, "The port cannot be opened", "written and verified"],
       ["pt", portuguese, "Não foi possível abrir a porta", "gravado e conferido"],
     ])) {
-      await page.selectOption("#speak", speak);
+      await select(page, "#speak", speak);
       let left = from;
       let writes = where === "to the page";
       cable.fate = (way, byte) => {
         writes ||= way === "to the board" && byte === WRITE_PAGE;
         return writes && way === where && left-- <= 0 ? what(byte) : byte;
       };
-      await page.click("#put-firmware");
+      await pick(page, "#put-firmware");
       assert.match(await noted(page, "FW-"), words);
       if (!cable.isIn) await noted(page, closed);
       cable.plugIn();
-      if (!(await page.isVisible("#put-firmware"))) await page.click("#connect");
-      await page.click("#put-firmware");
+      if (!(await page.isVisible("#put-firmware"))) await pick(page, "#connect");
+      await pick(page, "#put-firmware");
       await noted(page, done);
     }
   }
@@ -117,11 +118,11 @@ test("what goes wrong on the way is told with what to do, and the next try works
 
 test("a Nano of before 2018 is another choice, which the page names where the first does not answer", async () => {
   const { page, end } = await boxed("old", true);
-  await page.click("#put-firmware");
+  await pick(page, "#put-firmware");
   assert.match(await noted(page, "FW-2"), /FW-2[12]: .*nano-old/);
   await page.locator("#put-firmware:enabled").waitFor();
-  await page.selectOption("#model", "nano-old");
-  await page.click("#put-firmware");
+  await select(page, "#model", "nano-old");
+  await pick(page, "#put-firmware");
   await noted(page, "written and verified");
   // What was written does not speak.
   await page.locator("#desk-about", { hasNotText: "%" }).waitFor({ state: "attached" });

@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { EDITOR, HANDS } from "./hands.mjs";
-import { Lab, findings, lamp, state, still } from "./harness.mjs";
+import { Lab, findings, lamp, pick, select, state, still, tab } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page @typedef {import("./hands.mjs").Hand} Hand */
 
@@ -81,32 +81,32 @@ const STEPS = [
     await lamp(page, 1, false);
   }],
   ["time stands, goes on, goes at 1/10 and 1/100", async (page, hand) => {
-    await hand.press(page, "#pause");
+    await pick(page, "#pause", hand);
     await page.locator("#pace", { hasText: "Time stands still" }).waitFor();
-    await hand.press(page, "#pause");
+    await pick(page, "#pause", hand);
     for (const [speed, pace] of /** @type {const} */ ([["0.1", /^0\.(1|0[5-9])\d* × real time/], ["0.01", /^0\.0[01]\d* × real time/], ["1", /^(1|0\.[89])\d* ×/]])) {
       await hand.choose(page, "#speed", speed);
       await page.locator("#pace", { hasText: pace }).waitFor();
     }
   }],
   ["single scans are made, one at a time", async (page, hand) => {
-    await hand.press(page, "#tab-watch");
+    await tab(page, "watch", hand);
     // In RUN there is none: it would begin the program again.
     await page.locator("#scan:disabled").waitFor();
     await hand.press(page, "#command-stop");
     await page.locator("#scan:enabled").waitFor();
-    await hand.press(page, "#scan");
+    await pick(page, "#scan", hand);
     await page.waitForFunction(() => Number.parseInt(document.querySelector('tr[data-point="D1"] .value')?.textContent ?? "", 10) > 0);
     const before = await value(page, "D1");
-    await hand.press(page, "#scan");
+    await pick(page, "#scan", hand);
     await page.waitForFunction((more) => document.querySelector('tr[data-point="D1"] .value')?.textContent === String(more), before + 1);
-    await hand.press(page, "#command-run");
+    await pick(page, "#command-run", hand);
     await state(page, "RUN");
   }],
   ["STOP and RUN by command, by switch, by reset and plug", async (page, hand) => {
     await hand.press(page, "#command-stop");
     await state(page, "STOP");
-    await hand.press(page, "#command-run");
+    await pick(page, "#command-run", hand);
     await state(page, "RUN");
     await hand.press(page, "#stop-switch");
     await state(page, "STOP");
@@ -116,13 +116,13 @@ const STEPS = [
     await page.locator("#status", { hasText: "No power" }).waitFor();
     await hand.press(page, "#plug");
     await state(page, "RUN");
-    await hand.press(page, "#tab-serial");
+    await tab(page, "serial", hand);
     await hand.press(page, "#reset");
     await page.locator("#serial-text", { hasText: /unoclp[^]*RUN[^]*unoclp[^]*RUN/ }).waitFor();
     await state(page, "RUN");
   }],
   ["an input is forced and let go, a register set", async (page, hand) => {
-    await hand.press(page, "#tab-watch");
+    await tab(page, "watch", hand);
     const row = page.locator('tr[data-point="I3"]');
     await hand.press(page, row.getByRole("button", { name: "force to 1" }));
     await page.locator('tr[data-point="I3"].is-forced').waitFor();
@@ -151,7 +151,7 @@ const STEPS = [
     await hand.press(page, "#bouncing");
   }],
   ["a card is made, pulled out, and put in again", async (page, hand) => {
-    await hand.press(page, "#tab-card");
+    await tab(page, "card", hand);
     await hand.press(page, "#make-card");
     await page.locator("#panel-card pre").first().waitFor();
     await hand.press(page, "#reset");
@@ -167,7 +167,7 @@ const STEPS = [
     await hand.press(page, "#card-in");
   }],
   ["the timing diagram is read, zoomed, and exported", async (page, hand) => {
-    await hand.press(page, "#tab-trend");
+    await tab(page, "trend", hand);
     await hand.choose(page, '[aria-label="Seconds shown"]', "120");
     await hand.press(page, "#trendBefore");
     const reading = page.locator("#trend-reading");
@@ -206,18 +206,18 @@ const STEPS = [
     assert.deepEqual(await saved(page, entry("Save")), { name: "all.il", text: PROGRAM });
     assert.match((await saved(page, entry("Save PROGRAM.TXT"))).text, /787600/);
     const image = await saved(page, entry("Save a card image"));
-    await hand.press(page, "#tab-card");
+    await tab(page, "card", hand);
     await opened(page, () => hand.press(page, "#open-card"), "card.img", Buffer.from(image.text, "latin1"));
     await page.locator("#panel-card pre", { hasText: "787600" }).first().waitFor();
     await hand.press(page, "#card-in");
-    await hand.press(page, "#menu-examples");
-    await hand.press(page, page.getByRole("button", { name: /^stairs\.il/ }));
+    await pick(page, "#examples", hand);
+    await hand.press(page, page.getByRole("button", { name: "stairs.il" }));
     await page.locator("#notes").getByRole("button", { name: "Undo" }).waitFor();
     assert.equal(await page.inputValue("#name"), "stairs.il");
     await hand.press(page, page.locator("#notes").getByRole("button", { name: "Undo" }));
   }],
   ["a link is shared, and opened", async (page, hand) => {
-    await hand.press(page, "#share");
+    await pick(page, "#share", hand);
     await noted(page, "clipboard");
     const link = await page.evaluate(() => navigator.clipboard.readText());
     await hand.write(page, EDITOR, "LD I1\nST Q1\n");
@@ -256,14 +256,14 @@ const STEPS = [
     await page.locator("#problem-count.good").waitFor();
   }],
   ["a step of the tutorial is read, done, and left", async (page, hand) => {
-    await hand.press(page, "#lessons");
+    await pick(page, "#lessons", hand);
     for (const name of ["Open this program", "Check the step", "Show a solution", "Check the exercise", "Next step", "Step before"]) await hand.press(page, named(page, name));
     await page.locator("#lesson .chip", { hasText: "Step 1 of" }).waitFor();
     await hand.press(page, page.locator("#lesson").getByRole("button", { name: "Close" }));
     await page.locator("#lesson").waitFor({ state: "hidden" });
   }],
   ["settings are kept", async (page, hand) => {
-    await hand.press(page, "#tab-settings");
+    await tab(page, "settings", hand);
     await page.locator("#settings-restart").waitFor();
     await hand.choose(page, "#set-rate", "57600");
     await hand.press(page, "#set-direction");
@@ -279,11 +279,11 @@ const STEPS = [
     const before = await width();
     await hand.press(page, named(page, "Larger"));
     assert.ok((await width()) > before);
-    await hand.press(page, "#theme");
+    await pick(page, "#theme", hand);
     assert.equal(await page.getAttribute("html", "data-theme"), "dark");
     assert.deepEqual(await findings(page), []);
-    await hand.choose(page, "#speak", "pt");
-    await page.locator("#run", { hasText: "Executar na placa" }).waitFor();
+    await select(page, "#speak", "pt", hand);
+    await page.locator("#run", { hasText: "Executar" }).waitFor();
   }],
 ];
 

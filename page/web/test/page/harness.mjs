@@ -111,8 +111,7 @@ export class Lab {
   async emptySheet(options = {}) {
     const page = await this.open(options);
     await still(page);
-    await page.click("#menu-fileMenu");
-    await page.locator(".menu button", { hasText: /^(New|Novo)$/ }).click();
+    await pick(page, "#new-file");
     await page.click("#view-draw");
     await page.locator("#sheet .rung").first().waitFor();
     return page;
@@ -124,6 +123,49 @@ export class Lab {
     await this.server.end();
     if (this.errors.length > 0) throw new Error(this.errors.join("\n"));
   }
+}
+
+/** Which menu has which rows. @type {Readonly<Record<string, string>>} */
+const MENUS = Object.fromEntries(Object.entries({
+  fileMenu: ["new-file", "open-file", "save-file", "share", "programs", "save-code", "save-drawing", "save-pages", "save-project", "save-card"],
+  learnMenu: ["exercises", "lessons", "examples", "machines"],
+  boardMenu: ["connect", "put-firmware", "model", "for-board", "open-settings", "open-card-tab", "open-serial", "pause", "scan", "command-run", "show-hardware", "show-faults"],
+  viewMenu: ["all-buttons", "theme", "speak"],
+  drawMore: ["draw-symbols", "draw-find", "draw-texts", "draw-print", "draw-keys", "operate"],
+}).flatMap(([menu, rows]) => rows.map((row) => [`#${row}`, menu])));
+
+/** Opens the menu that has this row. @param {import("playwright-core").Page} page @param {string} row @param {import("./hands.mjs").Hand} [hand] */
+export async function unfold(page, row, hand) {
+  const menu = `#menu-${MENUS[row]}`;
+  if ((await page.getAttribute(menu, "aria-expanded")) === "true") return;
+  if (hand) await hand.press(page, menu);
+  else await page.click(menu);
+}
+
+/** Does what a row of a menu does. @param {import("playwright-core").Page} page @param {string} row @param {import("./hands.mjs").Hand} [hand] */
+export async function pick(page, row, hand) {
+  await unfold(page, row, hand);
+  if (hand) await hand.press(page, row);
+  else await page.click(row);
+}
+
+/** Takes an entry of a list that stands in a menu. @param {import("playwright-core").Page} page @param {string} row @param {string} value
+ * @param {import("./hands.mjs").Hand} [hand] */
+export async function select(page, row, value, hand) {
+  await unfold(page, row, hand);
+  if (hand) await hand.choose(page, row, value);
+  else await page.selectOption(row, value);
+  await page.keyboard.press("Escape");
+}
+
+/** Shows a tab of the drawer: by its button, or by the menu that opens it. @param {import("playwright-core").Page} page
+ * @param {string} name @param {import("./hands.mjs").Hand} [hand] */
+export async function tab(page, name, hand) {
+  const rows = /** @type {Readonly<Record<string, string>>} */ ({ settings: "#open-settings", card: "#open-card-tab", serial: "#open-serial" });
+  if ((await page.getAttribute(`#tab-${name}`, "aria-selected")) === "true") return;
+  if (rows[name]) await pick(page, rows[name], hand);
+  else if (hand) await hand.press(page, `#tab-${name}`);
+  else await page.click(`#tab-${name}`);
 }
 
 /** Replaces the program in the editor, as somebody does who types.
@@ -162,7 +204,7 @@ export async function give(page, act, name, bytes) {
 export async function choose(page, name, bytes) {
   await give(page, async () => {
     await page.click("#menu-fileMenu");
-    await page.locator("#menu-fileMenu + div button").nth(1).click();
+    await page.click("#open-file");
   }, name, bytes);
 }
 
@@ -194,9 +236,12 @@ export async function lamp(page, output, on) {
   await page.locator(`[data-output="${output}"][data-on="${on}"]`).waitFor();
 }
 
+/** What a user has chosen to see who has been here before: text and ladder, the board's own switches, the timing, the palette. */
+const SEEN = { greeted: "yes", view: "both", cards: "hardware faults", drawer: "trend", palette: "open" };
+
 /** The store of a browser whose user has been at this address before: a first visit begins otherwise. @param {string} address
  * @param {Readonly<Record<string, string>>} kept what it has kept besides */
 export function been(address, kept = {}) {
-  const localStorage = Object.entries({ greeted: "yes", ...kept }).map(([name, value]) => ({ name, value }));
+  const localStorage = Object.entries({ ...SEEN, ...kept }).map(([name, value]) => ({ name, value }));
   return { cookies: [], origins: [{ origin: new URL(address).origin, localStorage }] };
 }

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { Lab, keptText, lamp, run, state, type } from "./harness.mjs";
+import { Lab, clean, keptText, lamp, pick, run, state, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @type {Lab} */
@@ -34,7 +34,7 @@ const text = async (page) => (await page.textContent(".cm-content")) ?? "";
 async function linkTo(page, program) {
   await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   await type(page, program, "link.il");
-  await page.click("#share");
+  await pick(page, "#share");
   await page.locator("#notes", { hasText: "clipboard" }).waitFor();
   return new URL(await page.evaluate(() => navigator.clipboard.readText())).hash;
 }
@@ -87,6 +87,41 @@ test("the program and the board of version 0.2.0 are still there", async () => {
   const page = await lab.other({}, { program: JSON.stringify({ name: "old.il", text: "LD I3\nST Q3\n" }), view: "both" });
   assert.equal(await page.inputValue("#name"), "old.il");
   assert.match(await text(page), /LD I3ST Q3/);
+  await page.context().close();
+});
+
+test("each program has its place: listed, renamed, duplicated, deleted and brought back, and as it was before", async () => {
+  const page = await lab.still();
+  await type(page, "LD I1\nST Q3\n", "mine.il");
+  await pick(page, "#new-file");
+  await type(page, "LD I2\nST Q2\n", "yours.il");
+  const programs = page.locator("#programs-list");
+  const row = (/** @type {string} */ name) => programs.locator(`[data-program="${name}"]`);
+  await pick(page, "#programs");
+  await row("yours.il").filter({ hasText: "open here" }).waitFor();
+  // What was written before is there, and nothing took its place.
+  await row("mine.il").getByRole("button", { name: "Duplicate: mine.il" }).click();
+  await row("mine-2.il").locator("input").fill("third.il");
+  await row("mine-2.il").locator("input").press("Tab");
+  await row("third.il").getByRole("button", { name: "Delete: third.il" }).click();
+  await row("third.il").waitFor({ state: "detached" });
+  await page.click("#program-back");
+  await row("third.il").getByRole("button", { name: "Open: third.il" }).click();
+  await programs.waitFor({ state: "detached" });
+  assert.equal(await page.inputValue("#name"), "third.il");
+  assert.match(await text(page), /LD I1ST Q3/);
+  await reload(page);
+  assert.equal(await page.inputValue("#name"), "third.il");
+  // What it was before is one of its versions, and opens as a program of its own.
+  await type(page, "LD I4\nST Q4\n");
+  await pick(page, "#programs");
+  await row("third.il").locator("summary").click();
+  await row("third.il").locator("[data-version]").first().click();
+  await page.locator(".cm-content", { hasText: "LD I1" }).waitFor();
+  await pick(page, "#programs");
+  await row("mine.il").waitFor();
+  await row("yours.il").waitFor();
+  await clean(page, "programs");
   await page.context().close();
 });
 

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Lab, clean, findings, pictures, run, type } from "./harness.mjs";
+import { Lab, clean, findings, pick, pictures, run, select, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -35,7 +35,7 @@ async function shots(page, name, shown) {
 
 /** Chooses an exercise by its number in the list. @param {Page} page @param {number} number */
 async function exercise(page, number) {
-  await page.click("#exercises");
+  await pick(page, "#exercises");
   await page.selectOption("#exercise-list", { index: number - 1 });
 }
 
@@ -72,7 +72,7 @@ test("a fault is looked for: pressed, forced, watched, and named from lists", as
   await page.locator("#find-verdict.good", { hasText: "Steps: 3, tries: 2" }).waitFor();
   assert.match((await page.locator("#exercise-list option:checked").textContent()) ?? "", /^44\. .* ✓$/);
   await clean(page, "find");
-  await page.selectOption("#speak", "pt");
+  await select(page, "#speak", "pt");
   await page.locator("#find-verdict.good", { hasText: "tentativas: 2" }).waitFor();
   await page.locator("#find-verdict.good", { hasText: "contatos soldados" }).waitFor();
   await page.locator("#find-part option", { hasText: "Liga" }).first().waitFor({ state: "attached" });
@@ -80,7 +80,7 @@ test("a fault is looked for: pressed, forced, watched, and named from lists", as
   // Closed, the machine goes with its fault; opened again, it hides it anew.
   await page.locator("#exercise button.quiet").last().click();
   await page.locator("#machine").waitFor({ state: "hidden" });
-  await page.click("#exercises");
+  await pick(page, "#exercises");
   await page.locator("#find-count", { hasText: "Passos: 0 · Tentativas: 0" }).waitFor();
   await page.context().close();
 });
@@ -110,7 +110,7 @@ test("a program is written again in another language, the given one beside", asy
   assert.equal(await page.inputValue("#name"), "02-into-ladder.il");
   await check("exercises/write/02-into-ladder.il");
   await page.locator("#verdict.good").waitFor();
-  await page.selectOption("#speak", "pt");
+  await select(page, "#speak", "pt");
   await page.locator("#given", { hasText: "Escreva em Lista de Instruções." }).waitFor();
   await page.context().close();
 });
@@ -157,7 +157,7 @@ test("what went wrong with a machine is seen again from two seconds before, with
   await page.locator("#replay output", { hasText: "47.48 s" }).waitFor();
   await clean(page, "replay");
   await shots(page, "replay", "#replay");
-  await page.selectOption("#speak", "pt");
+  await select(page, "#speak", "pt");
   await page.locator("#replay figcaption", { hasText: "dois segundos antes" }).waitFor();
   await page.locator("#replay output", { hasText: "," }).waitFor();
   // A program that does well leaves nothing to be seen.
@@ -170,6 +170,8 @@ test("what went wrong with a machine is seen again from two seconds before, with
 
 test("the gallery has a picture of each machine, its exercises, and how far one is", async () => {
   const page = await lab.still();
+  await page.focus("#menu-learnMenu");
+  await page.keyboard.press("Enter");
   await page.focus("#machines");
   await page.keyboard.press("Enter");
   const cards = page.locator("#gallery .gallery-card");
@@ -186,22 +188,22 @@ test("the gallery has a picture of each machine, its exercises, and how far one 
   await shots(page, "gallery", "#gallery-title");
   await page.keyboard.press("Escape");
   await page.locator("#gallery").waitFor({ state: "hidden" });
-  await page.click("#machines");
+  await pick(page, "#machines");
   await belts.locator('[data-exercise="28-reverse-stop"]').click();
   await page.locator("#exercise h3", { hasText: "Start backwards" }).waitFor();
   await page.locator("#machine").waitFor();
   await type(page, file("exercises/28-reverse-stop.il"), "28.il");
   await page.click("#exercise-check");
   await page.locator("#verdict.good").waitFor();
-  await page.selectOption("#speak", "pt");
-  await page.click("#machines");
+  await select(page, "#speak", "pt");
+  await pick(page, "#machines");
   await cards.filter({ has: page.locator("h3", { hasText: "Três esteiras" }) }).locator(".gallery-far", { hasText: "1 de 3 exercícios feitos" }).waitFor();
   await page.context().close();
 });
 
 test("without an exercise a program is judged by the machine's own course", async () => {
   const page = await lab.still();
-  await page.click("#machines");
+  await pick(page, "#machines");
   await page.locator('#gallery [data-machine="reversing.toml"]').click();
   await page.locator("#machine").waitFor();
   const judge = async (/** @type {string} */ path) => {

@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { keyboard, mouse } from "./hands.mjs";
-import { Lab } from "./harness.mjs";
+import { Lab, pick } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -27,7 +27,7 @@ for (const locale of /** @type {const} */ (["en-US", "pt-BR"])) {
       const lesson = page.locator("#lesson");
       const press = (/** @type {string} */ name) => hand.press(page, lesson.getByRole("button", { name, exact: true }));
       const verdict = (/** @type {string} */ kind) => lesson.locator(`#verdict.${kind}`).waitFor();
-      await hand.press(page, "#lessons");
+      await pick(page, "#lessons", hand);
       let step = 1;
       for (; ; step++) {
         await lesson.locator(".chip", { hasText: `${words.step} ${step} ` }).waitFor();

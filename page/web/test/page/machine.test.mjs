@@ -7,7 +7,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { Lab, choose, clean, keptText, pictures, run, state } from "./harness.mjs";
+import { Lab, choose, clean, keptText, pick, pictures, run, select, state } from "./harness.mjs";
 import { connected } from "./plugged.mjs";
 
 const plants = fileURLToPath(new URL("../../../../programs/plants", import.meta.url));
@@ -23,13 +23,13 @@ after(() => lab.end());
 
 /** Opens a machine of the gallery. @param {Page} page @param {RegExp} name */
 async function open(page, name) {
-  await pick(page, name);
+  await take(page, name);
   await page.locator("#machine").waitFor();
 }
 
 /** The same, where it may be refused. @param {Page} page @param {RegExp} name */
-async function pick(page, name) {
-  await page.click("#machines");
+async function take(page, name) {
+  await pick(page, "#machines");
   await page.locator("#gallery .gallery-card", { has: page.locator("h3", { hasText: name }) }).locator("[data-machine]").click();
 }
 
@@ -50,25 +50,10 @@ const program = (page, file) => choose(page, file.split("/").at(-1) ?? "", readF
 /** Waits until the machine's contact shows this at the board. @param {Page} page @param {string} part @param {boolean} is */
 const pressed = (page, part, is) => page.locator(`#machine-picture [data-part="${part}"][aria-pressed="${is}"]`).waitFor();
 
-test("the first visit shows a machine that moves, its program running", async () => {
-  for (const [width, height] of /** @type {const} */ ([[1366, 768], [390, 844]])) {
-    const page = await lab.other({ viewport: { width, height } }, { greeted: "" });
-    await page.locator("#machine").waitFor();
-    await state(page, "RUN");
-    await page.locator('#machine-rules li[data-state="met"]').first().waitFor();
-    await page.screenshot({ path: join(pictures, `first-${width}.png`) });
-    // Whoever comes back finds what they left.
-    await page.reload();
-    await page.locator("#run:enabled").waitFor();
-    assert.ok(await page.locator("#machine").isHidden());
-    await page.context().close();
-  }
-});
-
 for (const [where, board] of /** @type {const} */ ([["the simulated UNO", "uno"], ["this computer", "pc"]])) {
   test(`a program controls a machine, and a wrong one breaks it, on ${where}`, async () => {
     const page = await lab.open();
-    await page.selectOption("#for-board", board);
+    await select(page, "#for-board", board);
     await open(page, /both directions/);
     await page.locator("#notes button", { hasText: "See a program" }).click();
     await page.locator("#problem-count.good").waitFor();
@@ -111,7 +96,7 @@ test("a board on the desk controls a machine: its outputs are read, its inputs f
   await page.locator(".place.is-forced [data-input]").first().waitFor({ state: "detached" });
   // What a page cannot give to a board is said, and what is there stays.
   const text = await keptText(page);
-  await pick(page, /oven/);
+  await take(page, /oven/);
   await page.locator("#notes", { hasText: "analogue inputs or PWM" }).waitFor();
   assert.ok(await page.locator("#machine").isHidden());
   assert.equal(await keptText(page), text);
@@ -132,7 +117,7 @@ test("a machine is worked by the keyboard, speaks both languages, and fails by h
   await rule(page, /shows that it runs/, "met");
   await clean(page, "a machine");
   // In another language it goes on.
-  await page.selectOption("#speak", "pt");
+  await select(page, "#speak", "pt");
   await rule(page, /mostra que está em ciclo/, "met");
   await page.locator("#machine details summary").click();
   await page.locator(".machine-faults label", { hasText: /LS 2/ }).first().locator("input").check();

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { Lab, choose, findings, keptText, type } from "./harness.mjs";
+import { Lab, choose, findings, keptText, pick, select, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page @typedef {readonly [en: RegExp, pt: RegExp]} Said */
 
@@ -93,7 +93,7 @@ test("an exercise is dropped with its machine, whose rules are sentences, and a 
   await page.locator("#machine-rules li", { hasText: "within 0.5 s: Light (it is lit)" }).waitFor();
   await solve(page);
   assert.deepEqual(await findings(page), []);
-  await page.selectOption("#speak", "pt");
+  await select(page, "#speak", "pt");
   await page.locator("#machine-rules li", { hasText: "Nunca: Luz (" }).waitFor();
   /** @type {string[]} */
   const links = [];
@@ -127,11 +127,11 @@ test("what a teacher serves stands first in the list and in the gallery", async 
     { name: "own/broken", language: "st", scenario: "until = [", isOwn: true },
   ]);
   await served("machines.json", [{ ...plant, title: { en: "Porch", pt: "Varanda" }, about: { en: "A lamp.", pt: "Uma lâmpada." }, isOwn: true }]);
-  await page.click("#exercises");
+  await pick(page, "#exercises");
   await page.locator("#notes", { hasText: "cannot be opened as an exercise" }).waitFor();
   assert.equal(await page.locator("#exercise-list optgroup").first().getAttribute("label"), "Of your class");
   await solve(page);
-  await page.click("#machines");
+  await pick(page, "#machines");
   const card = page.locator("#gallery .gallery-card").first();
   await card.locator("h3", { hasText: "Porch" }).waitFor();
   await card.locator(".gallery-far", { hasText: "1 of 1 exercises done" }).waitFor();
@@ -190,9 +190,9 @@ for (const [index, locale] of ["en-US", "pt-BR"].entries()) {
     for (const name of ["exercises.json", "machines.json"]) await page.route(`**/${name}`, (route) => route.fulfill({ contentType: "text/html", body: "<html></html>" }));
     await page.reload();
     await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
-    await page.click("#exercises");
+    await pick(page, "#exercises");
     await page.locator("#notes", { hasText: "exercises.json" }).waitFor();
-    await page.click("#machines");
+    await pick(page, "#machines");
     await page.locator("#notes", { hasText: "machines.json" }).waitFor({ state: "attached" });
     assert.match((await page.textContent(".cm-content")) ?? "", /mine/);
     await page.context().close();

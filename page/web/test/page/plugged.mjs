@@ -1,7 +1,7 @@
 // A port of this computer with a second simulated board behind it. The chooser and DTR of a real port are not proven by it.
 // @ts-check
 
-import { still } from "./harness.mjs";
+import { pick, still } from "./harness.mjs";
 
 /** A page that is connected to the board at the port; its own one stands. @param {import("./harness.mjs").Lab} lab */
 export async function connected(lab) {
@@ -10,7 +10,7 @@ export async function connected(lab) {
   await page.reload();
   await page.locator("#run:enabled").waitFor();
   await still(page);
-  await page.click("#connect");
+  await pick(page, "#connect");
   await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
   return page;
 }

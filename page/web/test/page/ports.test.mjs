@@ -2,7 +2,7 @@
 // @ts-check
 
 import { after, before, test } from "node:test";
-import { Lab, lamp, run, still } from "./harness.mjs";
+import { Lab, lamp, pick, run, select, still, unfold } from "./harness.mjs";
 import { Cable } from "./port.mjs";
 
 /** @type {Lab} */
@@ -37,15 +37,16 @@ test("a port that is busy is told, and opens once it is free", async () => {
     const page = await lab.open({ locale });
     const cable = await Cable.between(page, device([]));
     cable.isBusy = true;
-    await page.click("#connect");
+    await pick(page, "#connect");
     await page.locator("#notes", { hasText: busy }).waitFor();
     // The simulated board is there still.
     await page.locator("#hardware").waitFor();
     await run(page);
     await lamp(page, 1, false);
     cable.isBusy = false;
-    await page.click("#connect");
-    await page.locator("#put-firmware").waitFor();
+    await pick(page, "#connect");
+    await unfold(page, "#put-firmware");
+  await page.locator("#put-firmware").waitFor();
     await page.locator("#status", { hasText: connected }).waitFor();
     await page.context().close();
   }
@@ -59,17 +60,17 @@ for (const [what, answer, english, portuguese] of /** @type {const} */ ([
     const page = await lab.open();
     await Cable.between(page, device([...answer]));
     await still(page);
-    await page.click("#connect");
+    await pick(page, "#connect");
     await page.locator("#status", { hasText: english }).waitFor();
-    await page.selectOption("#speak", "pt");
+    await select(page, "#speak", "pt");
     await page.locator("#status", { hasText: portuguese }).waitFor();
-    await page.selectOption("#speak", "en");
+    await select(page, "#speak", "en");
     const offer = page.locator("#notes div", { hasText: english });
     await offer.getByRole("button", { name: "Install the firmware" }).click();
     // No boot loader is there; that is told too, and the line is spoken to again.
     await page.locator("#notes", { hasText: /FW-2[12]/ }).waitFor();
     await page.locator("#put-firmware:enabled").waitFor();
-    await page.click("#connect");
+    await pick(page, "#connect");
     await page.locator("#hardware").waitFor();
     await page.context().close();
   });

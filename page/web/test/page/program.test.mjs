@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, keptText, lamp, run, state, type } from "./harness.mjs";
+import { Lab, keptText, lamp, run, state, tab, type } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -25,7 +25,7 @@ test("a problem is underlined, listed, and led to", async () => {
   await problem.click();
   assert.ok(await page.evaluate(() => document.activeElement?.classList.contains("cm-content")));
   // Run leads to the problems, and nothing is uploaded.
-  await page.click("#tab-trend");
+  await tab(page, "trend");
   await page.click("#run");
   assert.equal(await page.getAttribute("#tab-problems", "aria-selected"), "true");
   await page.context().close();

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { Lab, findings, keptHere, run, state } from "./harness.mjs";
+import { Lab, findings, keptHere, run, state, tab } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -14,7 +14,7 @@ after(() => lab.end());
 
 /** Opens the tab, and waits until the board has told. @param {import("playwright-core").Page} page */
 async function settings(page) {
-  await page.click("#tab-settings");
+  await tab(page, "settings");
   await page.locator("#settings-restart").waitFor();
 }
 
@@ -67,7 +67,7 @@ test("a lock holds at once, only grows, and is lifted at the board alone", async
   await page.locator("#set-lockWriting:disabled").waitFor();
   await page.fill("#set-address", "2");
   await keep(page, /settings of the board are locked/);
-  await page.click("#tab-watch");
+  await tab(page, "watch");
   await page.locator('tr[data-point="Q1"]').getByRole("button", { name: "force to 1" }).click();
   await page.locator("#notes", { hasText: "locked" }).waitFor();
   // A5 and the inputs 01 to 04 to ground, and a reset.
@@ -91,7 +91,7 @@ test("a board that is set otherwise is sought as a person says", async () => {
   const eeprom = await keptHere(page, "eeprom");
   await page.context().close();
   const other = await lab.other({}, { eeprom: eeprom ?? "" });
-  await other.click("#tab-settings");
+  await tab(other, "settings");
   await other.locator("#settings-about", { hasText: "No board answers at address 1" }).waitFor();
   assert.deepEqual(await findings(other), []);
   await other.fill("#set-address", "9");

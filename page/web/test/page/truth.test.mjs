@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, PATIENCE, been, choose, lamp, pictures, run, state, still, type } from "./harness.mjs";
+import { Lab, PATIENCE, been, choose, lamp, pick, pictures, run, state, still, tab, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -129,11 +129,11 @@ test("in the timing diagram no effect comes before its cause, and a forced input
   // Forced from here on, by the table of values.
   await page.locator(".trend-tools button", { hasText: "Clear" }).click();
   await lamp(page, 1, false);
-  await page.click("#tab-watch");
+  await tab(page, "watch");
   await page.getByRole("button", { name: "I1: force to 1" }).click();
   await lamp(page, 1, true);
   await page.locator("#panel-watch tr.is-forced[data-point=I1]").waitFor();
-  await page.click("#tab-trend");
+  await tab(page, "trend");
   first = await changesWith(page, [["I1", "1"], ["M1", "1"], ["Q1", "1"]]);
   assert.ok(first("I1", "1") <= first("M1", "1"), `I1 ${first("I1", "1")} M1 ${first("M1", "1")}`);
   assert.ok(first("I1", "1") <= first("Q1", "1"), `I1 ${first("I1", "1")} Q1 ${first("Q1", "1")}`);
@@ -182,7 +182,7 @@ test("tools that break down are restarted, which is said; the text stays, and no
   await page.locator("#problem-count.good").waitFor();
   await type(page, "(* BREAKDOWN *)\nLD I1\nST Q1\n", "mine.il");
   await page.locator("#problem-count.bad").waitFor();
-  await page.click("#tab-problems");
+  await tab(page, "problems");
   await page.locator("#panel-problems", { hasText: "was restarted. Your text is still here" }).waitFor();
   assert.match((await page.textContent(".cm-content")) ?? "", /BREAKDOWN/);
   await page.screenshot({ path: join(pictures, "truth-breakdown.png") });
@@ -245,7 +245,7 @@ test("on an address of the network, Connect says why the browser keeps ports fro
   await page.goto("http://sala.escola:8420/");
   await page.locator("#run:enabled").waitFor();
   assert.equal(await page.evaluate(() => isSecureContext), false);
-  await page.click("#connect");
+  await pick(page, "#connect");
   await page.locator("#notes", { hasText: /sala\.escola:8420.*unoclp serve.*127\.0\.0\.1/ }).waitFor();
   await context.close();
 });
@@ -291,10 +291,10 @@ test("in Portuguese people read a decimal comma, and the editor's panels are in 
   const page = await lab.open({ locale: "pt-BR", viewport: { width: 1366, height: 768 } });
   await type(page, "VAR go AT %IX0.0 : BOOL; x : REAL; END_VAR\nIF go THEN x := 0.5; ELSE x := 0.25; END_IF;\nx := x * 1.0;\n", "half.st");
   await run(page);
-  await page.click("#tab-watch");
+  await tab(page, "watch");
   await holding(page, 1, () => page.locator("#panel-watch tr .value", { hasText: "0,5" }).first().waitFor());
   await page.locator("#panel-watch tr .value", { hasText: "0,25" }).first().waitFor();
-  await page.click("#tab-trend");
+  await tab(page, "trend");
   await page.locator(".trend canvas").waitFor();
   // The change before is that to 0.25.
   await page.click("#trendBefore");

@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, keptText, lamp, pictures, run, state, type } from "./harness.mjs";
+import { Lab, keptText, lamp, pick, pictures, run, state, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @type {Lab} */
@@ -81,7 +81,7 @@ test("a form keeps its fields at a mistake, and tells it beside the field", asyn
   await closed(page);
   assert.match(await keptText(page), /TON +T1, 4000/);
   // The names of all points: what is wrong stands there too, and nothing is cleared.
-  await page.click("#draw-symbols");
+  await pick(page, "#draw-symbols");
   await page.fill("#symbol-point", "X9");
   await page.fill("#symbol-name", "bomba");
   await page.keyboard.press("Enter");
@@ -111,12 +111,12 @@ test("exercise 5 begins as a drawing with its names, and its right solution runs
   const page = await lab.open({ viewport: { width: 1366, height: 768 } });
   await page.click("#view-draw");
   await page.locator('#sheet .element[data-point="Q1"]').first().waitFor();
-  await page.click("#exercises");
+  await pick(page, "#exercises");
   await page.selectOption("#exercise-list", { index: 4 });
   await page.locator("#exercise .names", { hasText: "normally closed" }).waitFor();
   // Its machine has buttons of its own; without it those of the board are as the exercise says.
   await page.click("#machine-close");
-  await page.locator('[data-contact="2"][aria-pressed="true"]', { hasText: "NC" }).waitFor();
+  await page.locator('.kind[data-kind="nc"]', { hasText: "NC" }).waitFor();
   await page.click("#exercise-begin");
   await page.locator("#sheet .element").first().waitFor({ state: "detached" });
   await page.locator("#draw-banner").waitFor({ state: "hidden" });
@@ -140,7 +140,7 @@ test("exercise 5 begins as a drawing with its names, and its right solution runs
   await state(page, "RUN");
   await holding(page, 1, () => lamp(page, 1, true));
   await page.setViewportSize({ width: 390, height: 844 });
-  await page.locator('[data-contact="2"]').scrollIntoViewIfNeeded();
+  await page.locator('[data-input="2"]').scrollIntoViewIfNeeded();
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
   await page.screenshot({ path: join(pictures, "contacts-phone.png") });
   await page.context().close();

@@ -13,15 +13,14 @@ export function ask(over: HTMLElement, drawn: Drawn, at: DOMRect | null, attempt
   const inputs = fields.map((field) => {
     const input = h("input", { id: `field-${field.key}`, type: "text", value: field.value, autocomplete: "off", spellcheck: "false",
       inputmode: field.kind === "number" ? "numeric" : "text" });
-    if (field.kind === "point" || field.kind === "value") input.setAttribute("list", "points");
-    return { field, input };
+    const chips = field.kind === "point" || field.kind === "value" ? chipsOf(drawn, input) : null;
+    return { field, input, chips };
   });
   const text = h("textarea", { id: "field-comment", rows: 3 }, comment);
   const rows = what === "element"
-    ? inputs.map(({ field, input }) => h("label", {}, h("span", {}, told(field.name)), input))
+    ? inputs.map(({ field, input, chips }) => h("div", { class: "field" }, h("label", {}, h("span", {}, told(field.name)), input), chips))
     : [h("label", {}, h("span", {}, say("rungComment")), text)];
-  const points = h("datalist", { id: "points" }, ...drawn.table.map(({ point, name }) => h("option", { value: name || point }, `${point} ${name}`)));
-  const form = h("form", { class: "at-element", "aria-label": told(drawn.at.say) }, ...rows, points,
+  const form = h("form", { class: "at-element", "aria-label": told(drawn.at.say) }, ...rows,
     h("div", { class: "row" }, h("button", { type: "submit", class: "primary" }, say("ok")), h("button", { type: "button", id: "form-cancel" }, say("cancel"))));
   over.querySelector(".at-element")?.remove();
   over.append(form);
@@ -64,4 +63,23 @@ export function ask(over: HTMLElement, drawn: Drawn, at: DOMRect | null, attempt
       event.stopPropagation();
     });
   });
+}
+
+/** The points that have names: those that go with what is typed; a click takes one. */
+function chipsOf({ table }: Drawn, input: HTMLInputElement): HTMLElement {
+  const root = h("div", { class: "chips", role: "group", "aria-label": say("knownPoints") });
+  const take = (value: string) => (): void => {
+    input.value = value;
+    input.dispatchEvent(new Event("input", { bubbles: true }));
+    input.focus();
+  };
+  const show = (): void => {
+    const typed = input.value === input.defaultValue ? "" : input.value.trim().toLowerCase();
+    const fit = table.filter(({ point, name }) => name && `${point} ${name}`.toLowerCase().includes(typed) && name !== input.value);
+    root.replaceChildren(...fit.map(({ point, name }) => h("button", { type: "button", "data-chip": name, tabindex: -1, click: take(name) }, `${name} ${point}`)));
+    root.hidden = fit.length === 0;
+  };
+  input.addEventListener("input", show);
+  show();
+  return root;
 }

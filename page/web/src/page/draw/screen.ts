@@ -9,7 +9,7 @@ import type { Bench } from "../bench";
 import { type ProgramDocument, stemOf } from "../document";
 import { h } from "../dom";
 import { force, liveOf } from "../forcing";
-import { kept } from "../kept";
+import { keep, kept } from "../kept";
 import { entry, menu, openAt } from "../menu";
 import { announce, note } from "../notes";
 import { isLetter } from "../paper";
@@ -18,6 +18,7 @@ import { carry } from "./carrying";
 import { ask } from "./form";
 import { Finder } from "./find";
 import { help, texts } from "./panels";
+import { Nearby } from "./nearby";
 import { palette } from "./palette";
 import { print } from "./print";
 import { Session } from "./session";
@@ -39,7 +40,8 @@ const PLACES = ["behind", "beside", "before"] as const;
 const PLACE_WORDS = { behind: "placeBehind", beside: "placeBeside", before: "placeBefore" } as const;
 /** Columns of the sheet; a column is nine units. */
 const NARROWEST = 56;
-const WIDEST = 110;
+const WIDEST = 140;
+const PALETTE = "palette";
 
 export class Screen {
   private readonly session: Session;
@@ -49,26 +51,33 @@ export class Screen {
   private readonly banner = h("div", { class: "banner", id: "draw-banner", hidden: true });
   private readonly mistakes = h("ul", { class: "mistakes", id: "mistakes", "data-say-label": "drawProblems" });
   private readonly state = h("p", { class: "note", id: "draw-state", role: "status" });
+  /** Shows the palette, or folds it away. */
+  private readonly drawing = h("button", { type: "button", id: "draw-palette", "data-say": "drawPalette", "aria-pressed": "false" });
+  private readonly bars: readonly HTMLElement[];
   private readonly operating = h("input", { type: "checkbox", id: "operate" });
   private readonly where = h("button", { type: "button", id: "draw-where", "data-say-title": "drawWhere", click: () => this.turn() });
   private readonly finder: Finder;
+  private readonly nearby: Nearby;
   private readonly menu: HTMLElement;
   private place: Place = "behind";
   private heard = "";
+  /** The columns that it was drawn in last. */
+  private fitted = 0;
 
   /** Loads what the screen needs besides its code. */
-  static async open(root: HTMLElement, around: Around): Promise<Screen> {
+  static async open(root: HTMLElement, tools: HTMLElement, around: Around): Promise<Screen> {
     if (!document.querySelector("link[href='draw.css']")) {
       const style = h("link", { rel: "stylesheet", href: "draw.css" });
       const loaded = new Promise((resolve) => style.addEventListener("load", resolve, { once: true }));
       document.head.append(style);
       await loaded;
     }
-    return new Screen(root, around, await around.tools.ask("palette", {}));
+    return new Screen(root, tools, around, await around.tools.ask("palette", {}));
   }
 
   private constructor(
     root: HTMLElement,
+    bar: HTMLElement,
     private readonly around: Around,
     private readonly shelves: readonly Shelf[],
   ) {
@@ -76,23 +85,28 @@ export class Screen {
     this.session = new Session(program, tools, () => this.columns(), write);
     const act = (act: Act): Promise<boolean> => this.session.act(act);
     this.sheet = new Sheet(this.paper, (what, at, place) => void this.put({ do: "put", what, at, place }));
+    this.nearby = new Nearby(this.paper, (one) => void act(one), () => void this.edit());
     this.finder = new Finder(tools, (id) => void act({ do: "select", from: id, to: id }));
-    const button = (id: string, key: string, click: () => void): HTMLElement => h("button", { type: "button", id, "data-say": key, click });
     const undo = h("button", { type: "button", id: "draw-undo", "data-say-label": "drawUndo", click: () => void act({ do: "undo" }) }, "↶");
     const redo = h("button", { type: "button", id: "draw-redo", "data-say-label": "drawRedo", click: () => void act({ do: "redo" }) }, "↷");
-    const edit = this.menu = menu("drawEdit", "pen", () => ACTIONS.filter((action) => !action.quiet).map((action) => entry(say(action.say), () => void this.do(action), action.key)));
-    const bar = h("div", { class: "draw-bar" },
-      h("div", { class: "group" }, undo, redo), edit, this.where,
-      button("draw-symbols", "symbols", () => symbols(() => this.session.drawn.value?.table ?? [], (act) => this.session.attempt(act))),
-      button("draw-find", "find", () => this.finder.open()),
-      button("draw-texts", "asText", () => void texts(tools)),
-      button("draw-print", "print", () => this.print()),
-      button("draw-keys", "keys", () => help(shelves)),
-      h("label", { class: "switch" }, this.operating, h("span", { "data-say": "operate" })));
+    const edit = this.menu = menu("drawEdit", null, () => ACTIONS.filter((action) => !action.quiet).map((action) => entry(say(action.say), () => void this.do(action), action.key)));
+    const more = menu("drawMore", null, () => [
+      entry(say("symbols"), () => symbols(() => this.session.drawn.value?.table ?? [], (act) => this.session.attempt(act)), "", "draw-symbols"),
+      entry(say("find"), () => this.finder.open(), "", "draw-find"),
+      entry(say("asText"), () => void texts(tools), "", "draw-texts"),
+      entry(say("print"), () => this.print(), "", "draw-print"),
+      entry(say("keys"), () => help(shelves), "", "draw-keys"),
+      h("label", { class: "menu-field" }, h("span", {}, say("operate")), this.operating),
+    ]);
+    this.drawing.addEventListener("click", () => this.fold(this.drawing.getAttribute("aria-pressed") === "true"));
+    bar.replaceChildren(this.drawing, h("div", { class: "drawing-tools" }, undo, redo, this.where, edit, more));
     this.over.append(this.paper, this.sheet.ladder.zoomButtons());
-    root.replaceChildren(bar, this.finder.bar, this.banner,
+    root.replaceChildren(this.finder.bar, this.banner,
       h("div", { class: "draw-body" }, palette(shelves, { insert: (what) => void this.insert(what, this.place), carried: this.sheet }), this.over),
       h("div", { class: "draw-foot" }, this.state, this.mistakes));
+    this.bars = [root, bar];
+    this.fold(kept(PALETTE) !== "open");
+    new ResizeObserver(() => this.fit()).observe(this.paper);
     this.touch();
     this.paper.addEventListener("keydown", (event) => this.key(event));
     this.session.drawn.follow((drawn) => {
@@ -100,14 +114,20 @@ export class Screen {
       redo.disabled = !drawn || drawn.redo === 0;
       if (drawn) this.show(drawn);
       else this.blank();
+      this.fit();
       this.bar();
     });
-    this.session.closed.follow(() => this.bar());
+    this.session.closed.follow((closed) => {
+      this.bar();
+      const drawn = this.session.drawn.value;
+      if (closed) this.nearby.clear();
+      else if (drawn) this.nearby.show(drawn);
+    });
     program.text.follow(() => this.bar());
     bench.seen.follow(() => this.live());
     program.text.follow(() => this.live());
     speak.follow(() => {
-      translate(root);
+      this.bars.forEach(translate);
       this.turnTo(this.place);
       this.bar();
     });
@@ -118,6 +138,8 @@ export class Screen {
     if (typeof visible === "boolean") return this.session.show(visible);
     const drawn = visible;
     this.sheet.show(drawn);
+    if (this.session.closed.value) this.nearby.clear();
+    else this.nearby.show(drawn);
     const errors = drawn.mistakes.filter((mistake) => mistake.error).length;
     this.state.textContent = errors > 0 ? say("unfinished", { n: errors }) : drawn.text ? say("finished") : "";
     this.mistakes.replaceChildren(...drawn.mistakes.slice(0, 20).map(({ at, rung, error, message }) => {
@@ -132,6 +154,7 @@ export class Screen {
   /** Nothing can be drawn: the program has errors. */
   private blank(): void {
     this.sheet.clear();
+    this.nearby.clear();
     this.state.textContent = "";
     this.mistakes.replaceChildren();
   }
@@ -152,6 +175,15 @@ export class Screen {
     ladder.forced(this.around.bench.seen.value);
   }
 
+  /** Has it drawn as wide as there is room now. */
+  private fit(): void {
+    this.nearby.place();
+    const columns = this.columns();
+    if (columns === this.fitted || this.paper.clientWidth === 0 || !this.session.drawn.value) return;
+    this.fitted = columns;
+    void this.session.again();
+  }
+
   private columns(): number {
     const zoom = (Number(kept("zoom") ?? "0") || 0.9);
     return Math.min(Math.max(Math.floor((this.paper.clientWidth / zoom - 60) / 9), NARROWEST), WIDEST);
@@ -170,6 +202,19 @@ export class Screen {
       h("button", { type: "button", id: "draw-copy", click: () => void copy(`${stem}-${say("copyName")}.il`) }, say("drawCopy")),
       h("button", { type: "button", id: "draw-agree", click: () => this.session.agree() }, say("drawHere")));
     if (closed === "faulty") this.banner.replaceChildren(say("faulty"), h("button", { type: "button", id: "draw-empty", click: () => open({ name: `${stem}.il`, text: "" }) }, say("drawEmpty")));
+  }
+
+  /** Somebody wants to draw. */
+  begin(): void {
+    this.fold(false);
+    this.paper.focus();
+  }
+
+  private fold(folds: boolean): void {
+    this.drawing.setAttribute("aria-pressed", String(!folds));
+    for (const bar of this.bars) bar.classList.toggle("folded", folds);
+    this.nearby.place();
+    keep(PALETTE, folds ? "folded" : "open");
   }
 
   private turn(): void {

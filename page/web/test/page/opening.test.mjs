@@ -1,0 +1,182 @@
+// The first ten seconds, and the room that a program has: at three sizes, in both languages.
+// @ts-check
+
+import assert from "node:assert/strict";
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { HANDS, holding } from "./hands.mjs";
+import { Lab, clean, lamp, pick, pictures, state, tab, type } from "./harness.mjs";
+
+/** @type {Lab} */
+let lab;
+before(async () => {
+  mkdirSync(pictures, { recursive: true });
+  lab = await Lab.begin();
+});
+after(() => lab.end());
+
+/** @typedef {import("playwright-core").Page} Page */
+
+const SIZES = /** @type {const} */ ([[1366, 768], [1920, 1080], [390, 844]]);
+/** Controls that a newcomer sees at first, at most. */
+const CONTROLS = 25;
+/** The sheet is as high as this in every state, px. */
+const SHEET = 350;
+/** How far what is seen may be moved without being asked to, as browsers count it. */
+const SHIFT = 0.02;
+
+/** A page in a browser of a newcomer, which counts what is shifted. @param {import("playwright-core").BrowserContextOptions} options */
+async function newcomer(options) {
+  const context = await lab.browser.newContext({ serviceWorkers: "block", ...options });
+  const page = await context.newPage();
+  /** @type {string[]} */
+  const said = [];
+  page.on("console", (message) => void (/Service Worker/.test(message.text()) || said.push(message.text())));
+  page.on("pageerror", (error) => void said.push(String(error.stack)));
+  await page.addInitScript(() => {
+    let shift = 0;
+    new PerformanceObserver((list) => {
+      for (const one of list.getEntries()) if (!(/** @type {any} */ (one).hadRecentInput)) shift += /** @type {any} */ (one).value;
+      document.documentElement.dataset["shift"] = String(shift);
+    }).observe({ type: "layout-shift", buffered: true });
+  });
+  await page.goto(lab.server.url);
+  return { page, said };
+}
+
+/** The controls that are in view. @param {Page} page */
+const inView = (page) => page.evaluate(() => [...document.querySelectorAll("button, select, input, a, summary, [role=tab]")].filter((one) => {
+  const { left, right, top, bottom, width } = one.getBoundingClientRect();
+  return one.checkVisibility({ visibilityProperty: true }) && width > 1 && bottom > 0 && top < innerHeight && right > 0 && left < innerWidth;
+}).map((one) => one.id || one.getAttribute("aria-label") || one.textContent));
+
+for (const [width, height] of SIZES) {
+  for (const [locale, sentence] of /** @type {const} */ ([["en-US", /makes a PLC of an Arduino UNO/], ["pt-BR", /faz de um Arduino UNO um CLP/]])) {
+    test(`a newcomer sees a sentence, a program that runs, and three doors, ${locale}, ${width} × ${height}`, async () => {
+      const phone = width < 760;
+      const { page, said } = await newcomer({ locale, viewport: { width, height }, hasTouch: phone, isMobile: phone });
+      await page.locator("#welcome p", { hasText: sentence }).waitFor();
+      for (const door of ["draw", "exercises", "examples"]) await page.locator(`#door-${door}`).waitFor();
+      // No fault is shown of a board that holds no program, and then it runs by itself.
+      await state(page, "RUN");
+      assert.equal(await page.locator('[data-state="FAULT"]').count(), 0);
+      await page.locator('#sheet .ladder.live .element[data-point="Q1"]').first().waitFor();
+      await page.locator("#notes > div").last().waitFor();
+      const seen = await inView(page);
+      const notes = await page.locator("#notes button").count();
+      assert.ok(seen.length - notes <= CONTROLS, `${seen.length - notes} controls: ${seen.join(", ")}`);
+      await page.screenshot({ path: join(pictures, `first-${locale}-${width}.png`) });
+      const shift = Number(await page.evaluate(() => document.documentElement.dataset["shift"] ?? "0"));
+      assert.ok(shift < SHIFT, `layout shift ${shift}`);
+      // There is something to press.
+      const hand = HANDS[phone ? 1 : 0];
+      await holding(page, 1, () => lamp(page, 1, true), hand);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "the page scrolls sideways");
+      await clean(page, "the opening");
+      assert.deepEqual(said, []);
+      await page.context().close();
+    });
+  }
+}
+
+test("the door Draw leads to an empty sheet with the palette, and is not there the next time", async () => {
+  const { page } = await newcomer({ locale: "en-US", viewport: { width: 1366, height: 768 } });
+  await page.click("#door-draw");
+  await page.locator("#sheet .rung").first().waitFor();
+  await page.locator('.palette [data-what="contact"]').waitFor();
+  assert.ok(await page.locator("#welcome").isHidden());
+  await page.reload();
+  await page.locator("#sheet .rung").first().waitFor();
+  assert.ok(await page.locator("#welcome").isHidden());
+  await page.context().close();
+});
+
+test("the sheet keeps its height in every state at 1366 × 768", async () => {
+  const page = await lab.other({ viewport: { width: 1366, height: 768 } }, { view: "draw", drawer: "" });
+  const high = async (/** @type {string} */ where) => {
+    await page.locator("#sheet .rung").first().waitFor();
+    const box = await page.locator("#sheet").boundingBox();
+    assert.ok(box && box.height >= SHEET, `${where}: ${box?.height}`);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollHeight <= innerHeight), `${where}: the page scrolls`);
+  };
+  await high("alone");
+  await pick(page, "#exercises");
+  await page.locator("#exercise-check").waitFor();
+  await high("exercise");
+  for (const name of ["trend", "watch", "problems"]) {
+    await tab(page, name);
+    await high(`exercise and ${name}`);
+  }
+  // However high somebody wants the drawer.
+  await page.focus("#split-drawer");
+  for (let step = 0; step < 30; step++) await page.keyboard.press("ArrowUp");
+  await high("a high drawer");
+  await page.screenshot({ path: join(pictures, "sheet-1366.png") });
+  await page.click("#view-both");
+  await type(page, "PROGRAM p\nVAR a AT %IX1 : BOOL; b AT %QX1 : BOOL; END_VAR\nb := a;\nEND_PROGRAM\n", "other.st");
+  await page.locator("#problem-count.good").waitFor();
+  await page.click("#view-draw");
+  await page.locator("#draw-banner", { hasText: "another language" }).waitFor();
+  await high("a banner");
+  await page.context().close();
+});
+
+test("a splitter is dragged, moved by keys, and remembered", async () => {
+  const page = await lab.other({ viewport: { width: 1366, height: 768 } });
+  const wide = () => page.locator("#board").evaluate((board) => Math.round(board.getBoundingClientRect().width));
+  const before = await wide();
+  const box = await page.locator("#split-machine").boundingBox();
+  assert.ok(box);
+  await page.mouse.move(box.x + 3, box.y + 200);
+  await page.mouse.down();
+  await page.mouse.move(box.x - 97, box.y + 200, { steps: 4 });
+  await page.mouse.up();
+  assert.equal(await wide(), before + 100);
+  await page.focus("#split-machine");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await wide(), before + 84);
+  await page.reload();
+  await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
+  assert.equal(await wide(), before + 84);
+  await page.context().close();
+});
+
+test("what is told lies over no control, and the status keeps its height", async () => {
+  const page = await lab.other({ viewport: { width: 1366, height: 768 } }, { view: "draw" });
+  const height = () => page.locator("#status").evaluate((status) => status.getBoundingClientRect().height);
+  await page.locator("#run:enabled").waitFor();
+  const first = await height();
+  await pick(page, "#new-file");
+  await page.locator("#notes > div").first().waitFor();
+  const under = await page.evaluate(() => {
+    const notes = [...document.querySelectorAll("#notes > div")].map((note) => note.getBoundingClientRect());
+    return [...document.querySelectorAll("button, select, input, [role=separator]")].filter((one) => {
+      const box = one.getBoundingClientRect();
+      const isSeen = one.checkVisibility({ visibilityProperty: true }) && !one.closest("#notes, .tabpanel");
+      return isSeen && notes.some((note) => box.left < note.right && box.right > note.left && box.top < note.bottom && box.bottom > note.top);
+    }).map((one) => one.id || one.outerHTML.slice(0, 80));
+  });
+  assert.deepEqual(under, []);
+  for (const act of ["#plug", "#plug", "#run"]) {
+    await page.click(act);
+    assert.equal(await height(), first, act);
+  }
+  await page.context().close();
+});
+
+test("on a phone program, machine and drawer are three pages, with buttons and lamps under the program", async () => {
+  const page = await lab.other({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }, { view: "draw", palette: "folded", drawer: "" });
+  const at = async (/** @type {string} */ area) => page.waitForFunction((area) => Math.abs(document.querySelector(area)?.getBoundingClientRect().left ?? 99) < 2, area);
+  await page.locator("#dock [data-input='1']").waitFor();
+  await page.locator("#dock [data-output='1']").waitFor();
+  await at("#program");
+  await page.tap("#page-machine");
+  await at("#board");
+  await page.tap("#page-drawer");
+  await at("#below");
+  await page.tap("#tab-watch");
+  await page.tap("#page-program");
+  await at("#program");
+  await page.context().close();
+});
