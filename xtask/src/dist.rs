@@ -1,6 +1,6 @@
 //! `cargo xtask dist`: what is handed out, in `target/dist/`. `unoclp` for the machine that this runs on, with the page
 //! and the tested firmware inside; it and the page as archives, with the licences of all that they contain; and the page
-//! as a folder. On Debian it is a package too, with a service. A bill of materials and the sums of the files lie beside them.
+//! as a folder and as a single file, which a double click opens. On Debian it is a package too, with a service. A bill of materials and the sums of the files lie beside them.
 
 use std::env::consts::{ARCH, EXE_SUFFIX, OS};
 use std::fs::{self, File};
@@ -21,6 +21,10 @@ use crate::{deb, lab, node, sbom};
 const FOLDER: &str = "target/dist";
 /// The page, as `cargo xtask lab` builds it.
 const PAGE: &str = "target/lab/page";
+/// The page as a single file, beside the others of the page.
+const SINGLE: &str = "unoclp.html";
+/// What it may weigh, bytes.
+const MOST: usize = 6_000_000;
 /// What goes with each copy.
 const PAPERS: [&str; 3] = ["LICENSE-APACHE", "LICENSE-MIT", "NOTICE"];
 
@@ -61,7 +65,16 @@ pub fn run() -> Result<()> {
     lay_out(&folder.join("page"), &page)?;
     let for_a_server = folder.join("unoclp-page.zip");
     write(&for_a_server, page)?;
-    let mut made = vec![program.clone(), for_this_machine, for_a_server];
+    let single = folder.join(SINGLE);
+    let whole = fs::read_to_string(root().join(PAGE).join(SINGLE)).context("no single page")?;
+    let whole = with_licences(&whole, &parts.texts()?);
+    ensure!(
+        whole.len() <= MOST,
+        "{SINGLE} is too large for a mail: {} bytes",
+        whole.len()
+    );
+    fs::write(&single, whole).with_context(|| format!("cannot write {}", single.display()))?;
+    let mut made = vec![program.clone(), for_this_machine, for_a_server, single];
     match deb::can_be_made() {
         true => {
             let papers: Vec<_> = for_debian
@@ -135,6 +148,12 @@ fn papers(parts: &Parts) -> Result<Vec<Entry>> {
     Ok(papers)
 }
 
+/// The single page with the licences in it, where no reader of the page meets them: no paper goes with it.
+fn with_licences(page: &str, licences: &str) -> String {
+    let licences = licences.replace('<', "&lt;");
+    format!("{page}<template id=\"licences\">\n{licences}\n</template>\n")
+}
+
 fn entry(name: String, file: &Path, runs: bool) -> Result<Entry> {
     let bytes = fs::read(file).with_context(|| format!("cannot read {}", file.display()))?;
     Ok(Entry { name, bytes, runs })
@@ -186,6 +205,13 @@ mod tests {
         let mut to = Cursor::new(Vec::new());
         archive(names.iter().map(entry).collect(), &mut to).unwrap();
         to.into_inner()
+    }
+
+    #[test]
+    fn a_single_page_keeps_licences_from_being_markup() {
+        let page = with_licences("<html></html>\n", "<b>MIT</template>");
+        let (_, paper) = page.split_once("<template id=\"licences\">").unwrap();
+        assert_eq!(paper, "\n&lt;b>MIT&lt;/template>\n</template>\n");
     }
 
     #[test]

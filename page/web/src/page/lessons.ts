@@ -1,5 +1,6 @@
 // The tutorial: each step with its words, its program, and checks of what somebody has written.
 
+import { beside } from "../offline/beside";
 import type { Both, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { say, speak, told } from "../words/words";
@@ -34,7 +35,7 @@ export class Lessons {
 
   /** Opens the tutorial where it was left. */
   async start(): Promise<void> {
-    if (this.lessons.length === 0) this.lessons = (await (await fetch("lessons.json")).json()) as Lesson[];
+    if (this.lessons.length === 0) this.lessons = (await (await beside("lessons.json")).json()) as Lesson[];
     this.go(Number(kept("lesson") ?? "0"));
   }
 

@@ -1,5 +1,6 @@
 // The page: what it is made of, and what leads to what.
 
+import { beside, isSingle, worker } from "../offline/beside";
 import type { Both, Text } from "../tools/answers";
 import { Modules } from "../tools/modules";
 import { RemoteTools } from "../tools/remote";
@@ -34,14 +35,15 @@ import { Watch } from "./watch";
 
 async function load(): Promise<void> {
   if (typeof WebAssembly === "undefined") return stuck();
-  const firmware = fetch("unoclp.bin").then((answer) => answer.arrayBuffer());
+  const firmware = beside("unoclp.bin").then((answer) => answer.arrayBuffer());
   const modules = new Modules();
+  const [checker, simulator] = [worker("tools.js"), worker("board.js")];
   const module = await modules.first();
-  const remote = new RemoteTools(new Worker("tools.js", { type: "module" }), modules, module);
+  const remote = new RemoteTools(await checker, modules, module);
   const isFirst = isFirstVisit();
   const program = new ProgramDocument(remote);
   const first = program.text.value;
-  const board = new Worker("board.js", { type: "module" });
+  const board = await simulator;
   const tools = await Tools.of(module);
   const bench = new Bench(tools, modules, board, (both) => note(() => told(both)));
   const forBoard = new ForBoard(tools, program);
@@ -148,7 +150,7 @@ async function load(): Promise<void> {
     panel.furnish();
     if (isFirst) void greet({ bench, machine, machines, isUntouched: () => program.text.value === first, put, run: start.run });
   });
-  if ("serviceWorker" in navigator && location.protocol.startsWith("http")) {
+  if (!isSingle && "serviceWorker" in navigator && location.protocol.startsWith("http")) {
     await navigator.serviceWorker.register("sw.js").catch(() => undefined);
   }
 }

@@ -1,5 +1,6 @@
 // The bar at the top: files, examples, tutorial, exercises, sharing, language, light or dark.
 
+import { beside } from "../offline/beside";
 import type { Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { say, speak, told } from "../words/words";
@@ -62,7 +63,7 @@ export function toolbar(root: HTMLElement, parts: Parts): () => Promise<readonly
     event.preventDefault();
   });
   return () => {
-    void fetch("examples.json").then(async (answer) => {
+    void beside("examples.json").then(async (answer) => {
       examples = (await answer.json()) as Example[];
     });
     return listedMachines();
