@@ -24,6 +24,11 @@ export function isMachine({ text }: Text): boolean {
   return /^\s*\[\[part\]\]/m.test(text);
 }
 
+/** Whether a file is what a student has handed in. */
+export function isHandIn({ name }: Text): boolean {
+  return /\.unoclp\.json$/i.test(name);
+}
+
 /** Whether a file says how a program is checked: an exercise or a scenario, and no program. */
 export function isScenario({ name, text }: Text): boolean {
   return /\.toml$/i.test(name) || /^\s*\[\[?(case|step|expect)\b/m.test(text);
@@ -42,7 +47,7 @@ function decode(bytes: Uint8Array): string | null {
 }
 
 /** Lets a person pick files. */
-export function pick(take: (files: readonly File[]) => void, accept = ".il,.st,.scl,.iscl,.lce,.xml,.txt,.toml,text/plain"): void {
+export function pick(take: (files: readonly File[]) => void, accept = ".il,.st,.scl,.iscl,.lce,.xml,.txt,.toml,.json,text/plain"): void {
   const input = h("input", { type: "file", accept, multiple: true });
   input.addEventListener("change", () => take([...(input.files ?? [])]));
   input.click();

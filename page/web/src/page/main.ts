@@ -15,7 +15,7 @@ import { byId, h } from "./dom";
 import { Editor } from "./editor";
 import { greet, isFirstVisit } from "./firstvisit";
 import { ForBoard } from "./forboard";
-import { download, isMachine, isScenario, read, takeDrops } from "./files";
+import { download, isHandIn, isMachine, isScenario, read, takeDrops } from "./files";
 import { later } from "./later";
 import { MachineArea } from "./machine";
 import { note } from "./notes";
@@ -69,14 +69,20 @@ async function load(): Promise<void> {
     note(() => say(back ? "restored" : "replaced"), { text: () => say(back ? "redo" : "undo"), take: () => open(before, !back) });
   };
   const learning = later(async () => new (await import("./learning")).Learning(remote, program, open, (inputs) => panel.normallyClosed(inputs), machine));
+  const handedIn = later(async () => (await import("./handedin")).handedIn);
   /** Opens files: machines first, which the exercises beside them may need. */
   const take = async (files: readonly File[]): Promise<void> => {
     const texts = (await Promise.all(files.map(read))).filter((text) => text !== null);
-    const machines = texts.filter(isMachine);
-    const scenarios = texts.filter((text) => !isMachine(text) && isScenario(text));
+    const machines = texts.filter((text) => isMachine(text) && !isHandIn(text));
+    const scenarios = texts.filter((text) => !isMachine(text) && !isHandIn(text) && isScenario(text));
     for (const text of machines) await machine.open({ ...text, isOwn: true });
     for (const text of scenarios) await (await learning())?.take(text, machines);
-    for (const text of texts) if (!machines.includes(text) && !scenarios.includes(text)) open(text);
+    const handed = texts.filter(isHandIn);
+    for (const text of handed) {
+      const work = (await handedIn())?.(text);
+      if (work) open(work);
+    }
+    for (const text of texts) if (![...machines, ...scenarios, ...handed].includes(text)) open(text);
   };
 
   const trend = new Trend(bench);
