@@ -58,7 +58,7 @@ pub fn run() -> Result<()> {
     let papers = papers(&parts)?;
     let for_this_machine = folder.join(format!("unoclp-{OS}-{ARCH}.zip"));
     let for_debian = papers.clone();
-    let mut entries = papers.clone();
+    let mut entries = [papers.clone(), exercises()?].concat();
     entries.push(entry(name, &program, true)?);
     write(&for_this_machine, entries)?;
     let page = [papers, page].concat();
@@ -109,6 +109,22 @@ fn page() -> Result<Vec<Entry>> {
         entry(name, &file, false)
     };
     files.into_iter().map(named).collect()
+}
+
+/// The exercises of the page and their machines, which a teacher grades a class by.
+fn exercises() -> Result<Vec<Entry>> {
+    let mut entries = Vec::new();
+    for folder in ["programs/exercises", "programs/plants"] {
+        for file in node::files(&root().join(folder), "")? {
+            let name = file.strip_prefix(root()).unwrap_or(&file);
+            let name = name.to_string_lossy().replace('\\', "/");
+            // Wrong programs, for our own tests.
+            if !name.contains("/wrong/") {
+                entries.push(entry(name, &file, false)?);
+            }
+        }
+    }
+    Ok(entries)
 }
 
 /// Builds `unoclp`, and says where cargo has put it.
@@ -205,6 +221,20 @@ mod tests {
         let mut to = Cursor::new(Vec::new());
         archive(names.iter().map(entry).collect(), &mut to).unwrap();
         to.into_inner()
+    }
+
+    #[test]
+    fn a_teacher_has_the_exercises_with_their_machines() {
+        let names: Vec<String> = exercises().unwrap().into_iter().map(|it| it.name).collect();
+        for name in [
+            "programs/exercises/05-motor.toml",
+            "programs/exercises/find/01-motor.toml",
+            "programs/exercises/machines/05-motor.toml",
+            "programs/plants/elevator.toml",
+        ] {
+            assert!(names.iter().any(|it| it == name), "{name}");
+        }
+        assert!(!names.iter().any(|it| it.contains("wrong")), "{names:?}");
     }
 
     #[test]
