@@ -233,6 +233,8 @@ export const TABLE = {
 
   lessonOf: ["Step {n} of {all}", "Passo {n} de {all}"],
   lessonLoad: ["Open this program", "Abrir este programa"],
+  lessonDraw: ["Begin on an empty sheet", "Começar em uma folha vazia"],
+  lessonPut: ["Put it into the editor", "Pôr no editor"],
   lessonNext: ["Next step", "Próximo passo"],
   lessonBefore: ["Step before", "Passo anterior"],
   lessonSolution: ["Show a solution", "Mostrar uma solução"],
