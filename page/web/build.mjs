@@ -9,6 +9,7 @@ import { fileURLToPath } from "node:url";
 import { createHash } from "node:crypto";
 import { examples, exercises, lessons, machines } from "./build/lessons.mjs";
 import { packages } from "./build/packages.mjs";
+import { single } from "./build/single.mjs";
 import { below, bundle, bundleAll, node } from "../bundle.mjs";
 
 const lab = dirname(fileURLToPath(import.meta.url));
@@ -81,6 +82,7 @@ async function around(outdir) {
   for (const file of files) sum.update(file).update(readFileSync(join(outdir, file)));
   const define = { FILES: JSON.stringify(["./", ...files]), VERSION: JSON.stringify(sum.digest("hex").slice(0, 12)) };
   await build({ ...browser, absWorkingDir: lab, bundle: true, format: "iife", define, entryPoints: ["src/offline/sw.ts"], outfile: join(outdir, "sw.js") });
+  await single(outdir, "unoclp.html", { ...parts.page, absWorkingDir: lab }, { page: "src/page/main.ts", tools: "src/tools/worker.ts", board: "src/board/worker.ts" });
 }
 
 const asked = process.argv.slice(2);

@@ -1,6 +1,6 @@
 //! `cargo xtask dist`: what is handed out, in `target/dist/`. `unoclp` for the machine that this runs on, with the page
 //! and the tested firmware inside; it and the page as archives, with the licences of all that they contain; and the page
-//! as a folder. On Debian it is a package too, with a service. A bill of materials and the sums of the files lie beside them.
+//! as a folder and as a single file, which a double click opens. On Debian it is a package too, with a service. A bill of materials and the sums of the files lie beside them.
 
 use std::env::consts::{ARCH, EXE_SUFFIX, OS};
 use std::fs::{self, File};
@@ -21,6 +21,10 @@ use crate::{deb, lab, node, sbom};
 const FOLDER: &str = "target/dist";
 /// The page, as `cargo xtask lab` builds it.
 const PAGE: &str = "target/lab/page";
+/// The page as a single file, beside the others of the page.
+const SINGLE: &str = "unoclp.html";
+/// What it may weigh, bytes.
+const MOST: usize = 6_000_000;
 /// What goes with each copy.
 const PAPERS: [&str; 3] = ["LICENSE-APACHE", "LICENSE-MIT", "NOTICE"];
 
@@ -54,14 +58,23 @@ pub fn run() -> Result<()> {
     let papers = papers(&parts)?;
     let for_this_machine = folder.join(format!("unoclp-{OS}-{ARCH}.zip"));
     let for_debian = papers.clone();
-    let mut entries = papers.clone();
+    let mut entries = [papers.clone(), exercises()?].concat();
     entries.push(entry(name, &program, true)?);
     write(&for_this_machine, entries)?;
     let page = [papers, page].concat();
     lay_out(&folder.join("page"), &page)?;
     let for_a_server = folder.join("unoclp-page.zip");
     write(&for_a_server, page)?;
-    let mut made = vec![program.clone(), for_this_machine, for_a_server];
+    let single = folder.join(SINGLE);
+    let whole = fs::read_to_string(root().join(PAGE).join(SINGLE)).context("no single page")?;
+    let whole = with_licences(&whole, &parts.texts()?);
+    ensure!(
+        whole.len() <= MOST,
+        "{SINGLE} is too large for a mail: {} bytes",
+        whole.len()
+    );
+    fs::write(&single, whole).with_context(|| format!("cannot write {}", single.display()))?;
+    let mut made = vec![program.clone(), for_this_machine, for_a_server, single];
     match deb::can_be_made() {
         true => {
             let papers: Vec<_> = for_debian
@@ -96,6 +109,22 @@ fn page() -> Result<Vec<Entry>> {
         entry(name, &file, false)
     };
     files.into_iter().map(named).collect()
+}
+
+/// The exercises of the page and their machines, which a teacher grades a class by.
+fn exercises() -> Result<Vec<Entry>> {
+    let mut entries = Vec::new();
+    for folder in ["programs/exercises", "programs/plants"] {
+        for file in node::files(&root().join(folder), "")? {
+            let name = file.strip_prefix(root()).unwrap_or(&file);
+            let name = name.to_string_lossy().replace('\\', "/");
+            // Wrong programs, for our own tests.
+            if !name.contains("/wrong/") {
+                entries.push(entry(name, &file, false)?);
+            }
+        }
+    }
+    Ok(entries)
 }
 
 /// Builds `unoclp`, and says where cargo has put it.
@@ -133,6 +162,12 @@ fn papers(parts: &Parts) -> Result<Vec<Entry>> {
         papers.push(entry(name.into(), &root().join(name), false)?);
     }
     Ok(papers)
+}
+
+/// The single page with the licences in it, where no reader of the page meets them: no paper goes with it.
+fn with_licences(page: &str, licences: &str) -> String {
+    let licences = licences.replace('<', "&lt;");
+    format!("{page}<template id=\"licences\">\n{licences}\n</template>\n")
 }
 
 fn entry(name: String, file: &Path, runs: bool) -> Result<Entry> {
@@ -186,6 +221,27 @@ mod tests {
         let mut to = Cursor::new(Vec::new());
         archive(names.iter().map(entry).collect(), &mut to).unwrap();
         to.into_inner()
+    }
+
+    #[test]
+    fn a_teacher_has_the_exercises_with_their_machines() {
+        let names: Vec<String> = exercises().unwrap().into_iter().map(|it| it.name).collect();
+        for name in [
+            "programs/exercises/05-motor.toml",
+            "programs/exercises/find/01-motor.toml",
+            "programs/exercises/machines/05-motor.toml",
+            "programs/plants/elevator.toml",
+        ] {
+            assert!(names.iter().any(|it| it == name), "{name}");
+        }
+        assert!(!names.iter().any(|it| it.contains("wrong")), "{names:?}");
+    }
+
+    #[test]
+    fn a_single_page_keeps_licences_from_being_markup() {
+        let page = with_licences("<html></html>\n", "<b>MIT</template>");
+        let (_, paper) = page.split_once("<template id=\"licences\">").unwrap();
+        assert_eq!(paper, "\n&lt;b>MIT&lt;/template>\n</template>\n");
     }
 
     #[test]

@@ -16,14 +16,36 @@ function sections(text) {
   });
 }
 
-/** A section without what the page shows by itself: the program, its ladder, its codes. */
+/** A section as the page shows it: each listing in a frame of its own, which gets a button there, and a place for the picture
+ * of each ladder. No link leads away, and nobody is asked for a command line. */
 function shown(lines) {
+  const frames = [];
+  const frame = (_, kind, text) => {
+    frames.push(FRAMES[kind]?.(text) ?? `<pre>${escaped(text)}</pre>`);
+    return `<div data-frame="${frames.length - 1}"></div>\n`;
+  };
   const own = lines
-    .replace(/^```(?:ladder|numeric|il|text)?\n[\s\S]*?^```\n/gm, "")
+    .replace(/^```(\w*)\n([\s\S]*?)^```\n/gm, frame)
     .replace(/^\[`programs[^\n]*\n/gm, "")
     .replace(/\]\((?!https?:)[^)]*\)/g, "]")
     .replace(/\[([^\]\n]+)\]/g, "$1");
-  return marked.parse(own, { async: false });
+  const html = marked.parse(own, { async: false }).replace(/<div data-frame="(\d+)"><\/div>/g, (_, at) => frames[at]);
+  const [command] = /unoclp (?:check|compile|run|sim|list|upload)\b/.exec(html) ?? [];
+  if (command) throw new Error(`a step of the tutorial asks for a command line: ${command}`);
+  return html;
+}
+
+const listing = (end) => (text) => `<figure class="listing" data-end="${end}"><pre>${escaped(text)}</pre></figure>`;
+const FRAMES = {
+  il: listing("il"),
+  st: listing("st"),
+  ladder: (text) => `<figure class="rungs"><pre>${escaped(text)}</pre></figure>`,
+  // The first line is the command that prints the rest.
+  run: (text) => `<pre>${escaped(text.slice(text.indexOf("\n") + 1))}</pre>`,
+};
+
+function escaped(text) {
+  return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 }
 
 /** Each step: its title and words in both languages, its program, the scenarios of step and exercise, a solution. */

@@ -3,6 +3,7 @@
 import { GatewayLine, type Shared } from "../line/gateway";
 import type { Line } from "../line/line";
 import { PortLine } from "../line/port";
+import { beside, single } from "../offline/beside";
 import type { Both } from "../tools/answers";
 import type { Modules } from "../tools/modules";
 import { Refusal, Tools } from "../tools/tools";
@@ -75,7 +76,8 @@ export class Desk {
   private async join(): Promise<void> {
     if (this.token !== null) return this.speak(new GatewayLine(gateway(), this.token, (shared) => (this.shared = shared)));
     const { serial } = navigator as { serial?: Serial };
-    if (!serial) return note(() => (isSecureContext ? say("noSerial") : say("noSecure", { host: location.host })));
+    if (!serial && isSecureContext) return note(() => say("noSerial"));
+    if (!serial) return note(() => say("noSecure", { host: location.host }), { text: () => say("savePage"), take: savePage });
     try {
       this.port = await serial.requestPort();
     } catch {
@@ -108,7 +110,7 @@ export class Desk {
     if (!this.port || this.put.disabled) return;
     this.put.disabled = true;
     try {
-      const hex = await (await fetch(model.file)).text();
+      const hex = await (await beside(model.file)).text();
       const tools = await Tools.of(await this.modules.full());
       await this.bench.disconnect();
       const failure = await flash(tools, new PortLine(this.port), hex, model.name, (share) => {
@@ -126,4 +128,9 @@ export class Desk {
       this.put.disabled = false;
     }
   }
+}
+
+/** Gives the whole page to a person, to be opened from the disk. */
+function savePage(): void {
+  h("a", { href: single(), download: "unoclp.html" }).click();
 }

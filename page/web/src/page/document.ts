@@ -166,6 +166,12 @@ export function stemOf(name: string): string {
   return name.replace(/\.\w+$/, "");
 }
 
+/** Whether what was kept, or came in a file, is a drawing. */
+export function isDrawing(found: unknown): found is Drawing {
+  const drawing = found as Partial<Drawing> | null | undefined;
+  return typeof drawing?.name === "string" && typeof drawing.text === "string" && Array.isArray(drawing.log) && typeof drawing.base?.text === "string";
+}
+
 function lastDrawing(): Drawing | null {
   return drawingOf(keptHere("drawing"));
 }
@@ -173,9 +179,8 @@ function lastDrawing(): Drawing | null {
 /** A drawing as it was kept; null for anything else. */
 export function drawingOf(text: string | null): Drawing | null {
   try {
-    const found = JSON.parse(text ?? "null") as Partial<Drawing> | null;
-    const is = typeof found?.name === "string" && typeof found.text === "string" && Array.isArray(found.log) && typeof found.base?.text === "string";
-    return is ? (found as Drawing) : null;
+    const found = JSON.parse(text ?? "null") as unknown;
+    return isDrawing(found) ? found : null;
   } catch {
     return null;
   }

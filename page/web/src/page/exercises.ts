@@ -10,6 +10,7 @@ import { byId, h } from "./dom";
 import { fetched } from "./fetched";
 import { FindForm } from "./findform";
 import { GivenView } from "./givenview";
+import { HandIn } from "./handin";
 import { icon } from "./icons";
 import { keep, kept } from "./kept";
 import type { MachineArea } from "./machine";
@@ -68,6 +69,7 @@ export class Exercises {
   private hasOpened = false;
   private readonly find: FindForm;
   private readonly given: GivenView;
+  private readonly handIn: HandIn;
 
   constructor(
     private readonly root: HTMLElement,
@@ -80,6 +82,7 @@ export class Exercises {
   ) {
     this.find = new FindForm(machine, () => this.chosen(), () => this.pass());
     this.given = new GivenView(tools);
+    this.handIn = new HandIn(tools, program);
     speak.follow(() => {
       if (!this.root.hidden) this.show();
     });
@@ -149,6 +152,7 @@ export class Exercises {
   close(): void {
     this.root.hidden = true;
     showColumn();
+    this.handIn.minutes.turn(null);
     // A machine with a hidden fault is of no use but to this.
     if (this.machine.opened?.find !== undefined) void this.machine.close();
   }
@@ -169,6 +173,7 @@ export class Exercises {
   private chosen(): void {
     this.show();
     const exercise = this.all[this.at];
+    this.handIn.minutes.turn(exercise?.name ?? null);
     this.closed(exercise?.sheet.normallyClosed ?? []);
     const machine = exercise && this.machineOf(exercise);
     this.find.begin();
@@ -205,6 +210,7 @@ export class Exercises {
       isFind ? null : h("button", { type: "button", id: "exercise-begin", click: () => this.open(begun(exercise)) }, say("exerciseBegin")),
       isFind && exercise.program ? h("button", { type: "button", id: "find-open", click: () => exercise.program && this.open(exercise.program) }, sayHere("findOpen")) : null,
       next ? h("button", { type: "button", id: "exercise-hint", click: () => this.hint(exercise) }, say("exerciseHint", { n: exercise.hints + 1, all: sheet.hints.length })) : null,
+      this.handIn.button(() => ({ name: exercise.name, scenario: exercise.scenario, machine: this.machineOf(exercise), search: isFind ? this.find.search : null })),
       this.at + 1 < this.all.length ? h("button", { type: "button", class: exercise.passed ? "primary" : "quiet", id: "exercise-next", click: () => this.next() }, sayHere("exerciseNext")) : null);
     const parts = [
       h("div", { class: "row" }, this.list(),

@@ -8,7 +8,7 @@ import { note } from "./notes";
 
 const LONGEST = 1 << 20;
 /** What a person may pick: programs, scenarios and machines. */
-const PICKED = [...Object.values(LANGUAGES).map(({ end }) => end), ".toml", "text/plain"].join();
+const PICKED = [...Object.values(LANGUAGES).map(({ end }) => end), ".toml", ".json", "text/plain"].join();
 
 /** The text of a file; null where it is none, which is told. */
 export async function read(file: File): Promise<Text | null> {
@@ -25,6 +25,11 @@ export async function read(file: File): Promise<Text | null> {
 /** Whether a file is a machine: it lists parts. */
 export function isMachine({ text }: Text): boolean {
   return /^\s*\[\[part\]\]/m.test(text);
+}
+
+/** Whether a file is what a student has handed in. */
+export function isHandIn({ name }: Text): boolean {
+  return /\.unoclp\.json$/i.test(name);
 }
 
 /** Whether a file says how a program is checked: an exercise or a scenario, and no program. */

@@ -15,6 +15,8 @@ export class FindForm {
   private readonly count = h("p", { class: "note", id: "find-count" });
   private shown: object | null = null;
   private part = -1;
+  /** All that was named, as the file of the machine calls it. */
+  private tried: string[] = [];
 
   constructor(
     private readonly machine: MachineArea,
@@ -34,6 +36,11 @@ export class FindForm {
   show(): void {
     this.shown = null;
     this.follow(this.machine.search.value);
+  }
+
+  /** How far the search is. */
+  get search(): { readonly answer: string; readonly found: boolean } {
+    return { answer: this.tried.join(""), found: this.machine.search.value?.found ?? false };
   }
 
   private follow(search: Searched | null): void {
@@ -87,6 +94,7 @@ export class FindForm {
     if (!ways || !way) return;
     const wasFound = this.machine.search.value?.found;
     this.named = way;
+    this.tried.push(`${ways.names[this.part] ?? ""} ${way[1]}\n`);
     await this.machine.name(this.part, way[1]);
     const search = this.machine.search.value;
     this.follow(search);
@@ -97,6 +105,7 @@ export class FindForm {
   /** Another exercise: nothing has been named yet. */
   begin(): void {
     this.named = null;
+    this.tried = [];
     this.part = -1;
     this.said.hidden = true;
     this.show();

@@ -1,5 +1,6 @@
 // The page: what it is made of, and what leads to what.
 
+import { beside, isSingle, worker } from "../offline/beside";
 import type { Both, Text } from "../tools/answers";
 import { Modules } from "../tools/modules";
 import { RemoteTools } from "../tools/remote";
@@ -13,7 +14,7 @@ import { ProgramDocument, type Work, drawingOf, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
 import { ForBoard } from "./forboard";
-import { download, isMachine, isScenario, read, takeDrops } from "./files";
+import { download, isHandIn, isMachine, isScenario, read, takeDrops } from "./files";
 import { later } from "./later";
 import { menus } from "./menus";
 import { MachineArea } from "./machine";
@@ -35,14 +36,15 @@ import { begin, greet, isFirstVisit } from "./welcome";
 
 async function load(): Promise<void> {
   if (typeof WebAssembly === "undefined") return stuck();
-  const firmware = fetch("unoclp.bin").then((answer) => answer.arrayBuffer());
+  const firmware = beside("unoclp.bin").then((answer) => answer.arrayBuffer());
   const modules = new Modules();
+  const [checker, simulator] = [worker("tools.js"), worker("board.js")];
   const module = await modules.first();
-  const remote = new RemoteTools(new Worker("tools.js", { type: "module" }), modules, module);
+  const remote = new RemoteTools(await checker, modules, module);
   const isFirst = isFirstVisit();
   const program = new ProgramDocument(remote);
   const first = program.text.value;
-  const board = new Worker("board.js", { type: "module" });
+  const board = await simulator;
   const tools = await Tools.of(module);
   const bench = new Bench(tools, modules, board, (both) => note(() => told(both)));
   const forBoard = new ForBoard(tools, program);
@@ -85,14 +87,20 @@ async function load(): Promise<void> {
     if (kept && id !== here()) travel(id, { name: kept.name, text: kept.text, drawing: drawingOf(keptAt(id, "drawing")) }, here(), "replaced");
   };
   const learning = later(async () => new (await import("./learning")).Learning(remote, program, open, (inputs) => panel.normallyClosed(inputs), machine));
+  const handedIn = later(async () => (await import("./handedin")).handedIn);
   /** Opens files: machines first, which the exercises beside them may need. */
   const take = async (files: readonly File[]): Promise<void> => {
     const texts = (await Promise.all(files.map(read))).filter((text) => text !== null);
-    const machines = texts.filter(isMachine);
-    const scenarios = texts.filter((text) => !isMachine(text) && isScenario(text));
+    const machines = texts.filter((text) => isMachine(text) && !isHandIn(text));
+    const scenarios = texts.filter((text) => !isMachine(text) && !isHandIn(text) && isScenario(text));
     for (const text of machines) await machine.open({ ...text, isOwn: true });
     for (const text of scenarios) await (await learning())?.take(text, machines);
-    for (const text of texts) if (!machines.includes(text) && !scenarios.includes(text)) open(text);
+    const handed = texts.filter(isHandIn);
+    for (const text of handed) {
+      const work = (await handedIn())?.(text);
+      if (work) open(work);
+    }
+    for (const text of texts) if (![...machines, ...scenarios, ...handed].includes(text)) open(text);
   };
 
   const trend = new Trend(bench);
@@ -185,7 +193,7 @@ async function load(): Promise<void> {
     editor.furnish();
     if (isFirst) void begin(bench, () => program.text.value === first, start.run);
   });
-  if ("serviceWorker" in navigator && location.protocol.startsWith("http")) {
+  if (!isSingle && "serviceWorker" in navigator && location.protocol.startsWith("http")) {
     await navigator.serviceWorker.register("sw.js").catch(() => undefined);
   }
 }

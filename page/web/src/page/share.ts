@@ -25,7 +25,8 @@ export async function copyLink(kind: Kind, parts: readonly string[]): Promise<vo
   const link = await linkOf(kind, parts, location.href);
   try {
     await navigator.clipboard.writeText(link);
-    note(() => say(kind === "p" ? "shared" : "sharedOther"));
+    const key = location.protocol === "file:" ? "sharedDisk" : kind === "p" ? "shared" : "sharedOther";
+    note(() => say(key));
   } catch {
     prompt(say("sharedShown"), link);
   }

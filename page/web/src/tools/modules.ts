@@ -1,12 +1,14 @@
 // The modules of Rust: the one that a page begins with, and the one that has everything.
 
+import { beside } from "../offline/beside";
+
 /** Loads each once. */
 export class Modules {
   private whole: Promise<WebAssembly.Module> | null = null;
   private readonly small: Promise<WebAssembly.Module>;
 
   constructor() {
-    this.small = WebAssembly.compileStreaming(fetch("unoclp.wasm"));
+    this.small = WebAssembly.compileStreaming(beside("unoclp.wasm"));
   }
 
   /** Numeric code, the program that a page begins with, the ladder, and boards. */
@@ -16,7 +18,7 @@ export class Modules {
 
   /** All languages, exercises and cards too. */
   full(): Promise<WebAssembly.Module> {
-    this.whole ??= WebAssembly.compileStreaming(fetch("unoclp-full.wasm")).catch((error: unknown) => {
+    this.whole ??= WebAssembly.compileStreaming(beside("unoclp-full.wasm")).catch((error: unknown) => {
       // The next time it may come.
       this.whole = null;
       throw error;

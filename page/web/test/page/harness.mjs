@@ -58,6 +58,12 @@ export async function clean(page, where) {
   });
 }
 
+/** A Chromium with these words. @param {string[]} words */
+export function launch(words = []) {
+  const root = process.getuid?.() === 0;
+  return chromium.launch({ executablePath: browserPath(), args: [...words, ...(root ? ["--no-sandbox"] : [])] });
+}
+
 /** A browser, the page's server, and pages that fail their test where the page throws. */
 export class Lab {
   /** @param {import("playwright-core").Browser} browser @param {Awaited<ReturnType<typeof serve>>} server */
@@ -69,9 +75,7 @@ export class Lab {
   }
 
   static async begin() {
-    const root = process.getuid?.() === 0;
-    const browser = await chromium.launch({ executablePath: browserPath(), args: root ? ["--no-sandbox"] : [] });
-    return new Lab(browser, await serve());
+    return new Lab(await launch(), await serve());
   }
 
   /** A page in a browser that knows nothing of us yet; it is ready to run a program.

@@ -121,12 +121,17 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "grade",
         "exercise",
-        "O exercício: um arquivo de cenário com casos (.toml)",
+        "O exercício: um arquivo de cenário com casos (.toml), ou uma pasta com vários",
     ),
     (
         "grade",
         "files",
-        "Os programas, em qualquer das linguagens; de uma pasta, todos os que há nela",
+        "Os programas, em qualquer das linguagens, e o que foi entregue; de uma pasta, todos os que há nela",
+    ),
+    (
+        "grade",
+        "moodle",
+        "Mostra pontos de 100 para a importação de notas do Moodle: uma linha por aluno",
     ),
     (
         "grade",
@@ -136,7 +141,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "grade",
         "html",
-        "Grava uma página com o primeiro caso que falha de cada programa, como diagrama de tempo",
+        "Grava uma página com cada programa em ladder, e o primeiro caso que falha como diagrama de tempo",
     ),
     ("run", "text", "O próprio programa, em vez de um arquivo"),
     (

@@ -94,11 +94,43 @@ unoclp_words::messages! {
     a_program() "numeric code" "um código numérico";
     a_page() "a page in HTML" "uma página em HTML";
     no_programs(folder, languages)
-        "{folder} contains no program. {languages}"
-        "{folder} não tem nenhum programa. {languages}";
+        "{folder} contains no program and no hand-in (.unoclp.json). {languages}"
+        "{folder} não tem nenhum programa e nenhuma entrega (.unoclp.json). {languages}";
     left_out(ends, files)
-        "skipped, because a program's name ends in {ends}: {files}"
-        "ficaram de fora, pois o nome de um programa termina em {ends}: {files}";
+        "skipped, because a program's name ends in {ends}, and that of a hand-in in .unoclp.json: {files}"
+        "ficaram de fora, pois o nome de um programa termina em {ends}, e o de uma entrega em .unoclp.json: {files}";
+    no_exercises(folder)
+        "{folder} contains no exercise. An exercise is a scenario file with cases, and its name ends in .toml"
+        "{folder} não tem nenhum exercício. Um exercício é um arquivo de cenário com casos, e seu nome termina em .toml";
+    which_exercise()
+        "this file does not say which exercise it solves; name one exercise in place of the folder, or ask for a hand-in"
+        "este arquivo não diz qual exercício resolve; indique um exercício em vez da pasta, ou peça uma entrega";
+    other_exercise(exercise)
+        "it was handed in for the exercise {exercise}, which is not graded here; name the file of that exercise, or a folder that has it"
+        "foi entregue para o exercício {exercise}, que não está sendo avaliado; indique o arquivo dele, ou uma pasta em que ele esteja";
+    hand_in_too_long(file, bytes, most)
+        "{file}: the file has {bytes} bytes, and a hand-in has at most {most}; ask the student to hand in again from the page"
+        "{file}: o arquivo tem {bytes} bytes, e uma entrega tem no máximo {most}; peça ao aluno que entregue de novo pela página";
+    hand_in_no_json(file, line, column)
+        "{file}:{line}:{column}: the file is damaged: from here on it is not JSON; ask the student to hand in again from the page"
+        "{file}:{line}:{column}: o arquivo está danificado: daqui em diante não é JSON; peça ao aluno que entregue de novo pela página";
+    hand_in_lacks(file, key)
+        "{file}: `{key}` is missing, or is not a text; ask the student to hand in again from the page"
+        "{file}: falta `{key}`, ou não é um texto; peça ao aluno que entregue de novo pela página";
+    hand_in_other_form(file, form, due)
+        "{file}: `form` is {form}, and this unoclp reads {due}; use the unoclp of the same version as the page"
+        "{file}: `form` é {form}, e este unoclp lê {due}; use o unoclp da mesma versão que a página";
+    says_passed(file)
+        "{file}: the hand-in says that it passed, and it did not; what counts is the table"
+        "{file}: a entrega diz que passou, e não passou; o que vale é a tabela";
+    moodle_identifier() "Identifier" "Identificador";
+    moodle_name() "Full name" "Nome completo";
+    moodle_number() "ID number" "Número de identificação";
+    grade_class() "The class" "A turma";
+    grade_name() "name" "nome";
+    grade_exercise() "exercise" "exercício";
+    grade_minutes() "minutes" "minutos";
+    not_graded() "not graded" "não avaliado";
     file_empty() "the file is empty" "o arquivo está vazio";
     file_binary() "the file is binary, not text" "o arquivo é binário, não texto";
     file_other() "the first lines match none of the languages" "o começo do arquivo não é de nenhuma das linguagens";

@@ -93,6 +93,9 @@ fn what_would_run_for_ever_is_refused_or_stopped() {
             &["flash", file, "--port", "x"],
         ] {
             let (code, _, err) = outcome(words);
+            // A folder of exercises may be graded; the only one of this folder is too long.
+            let is_course = file == folder && words[0] == "grade";
+            let told = if is_course { "long.toml:" } else { told };
             assert!(code == 2 && err.contains(told), "{words:?}: {err}");
         }
     }

@@ -11,6 +11,7 @@ mod common;
 #[cfg(unix)]
 mod exercises;
 mod flash;
+mod handed_in;
 mod hostile;
 mod instruction_list;
 mod kept;

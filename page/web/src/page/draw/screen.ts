@@ -1,5 +1,6 @@
 // The screen on which one draws a program: palette, sheet, and what goes with them.
 
+import { dressIn } from "../../offline/beside";
 import type { Act, Drawn, Place, Shelf, Text } from "../../tools/answers";
 import type { RemoteTools } from "../../tools/remote";
 import { say } from "../../words/draw";
@@ -66,12 +67,7 @@ export class Screen {
 
   /** Loads what the screen needs besides its code. */
   static async open(root: HTMLElement, tools: HTMLElement, around: Around): Promise<Screen> {
-    if (!document.querySelector("link[href='draw.css']")) {
-      const style = h("link", { rel: "stylesheet", href: "draw.css" });
-      const loaded = new Promise((resolve) => style.addEventListener("load", resolve, { once: true }));
-      document.head.append(style);
-      await loaded;
-    }
+    await dressIn("draw.css");
     return new Screen(root, tools, around, await around.tools.ask("palette", {}));
   }
 

@@ -1,5 +1,6 @@
 //! Which files are programs of a class.
 
+use super::handin::is_hand_in;
 use crate::messages;
 use anyhow::{anyhow, bail};
 use std::fs;
@@ -64,7 +65,7 @@ fn walk(folder: &Path, found: &mut Found) {
         if kind.is_dir() {
             walk(&path, found);
         } else if !entry.file_name().as_encoded_bytes().starts_with(b".") && !path.is_dir() {
-            match is_program(&path) {
+            match is_program(&path) || is_hand_in(&path) {
                 true => found.programs.push(path),
                 false => found.left_out.push(path),
             }

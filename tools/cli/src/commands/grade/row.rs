@@ -1,6 +1,9 @@
 //! What came of a program.
 
 use super::super::plant::what_first;
+use super::super::wording::Wording;
+use super::course::{Course, Task};
+use super::handin::{HandIn, Student};
 use crate::messages;
 use annotate_snippets::Renderer;
 use std::path::Path;
@@ -9,14 +12,21 @@ use unoclp_exercise::find::{Answer, Hidden};
 use unoclp_exercise::scenario::{Exercise, Failing, ProgramFile, Verdict, grade};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_lang::{self as lang, Lines, Severity, Told};
-use unoclp_plant::Plant;
-use unoclp_program::{NoProgram, Refused, Source, Written, diagnosis, shown};
+use unoclp_program::{NoProgram, Refused, Source, Written, WrittenIn, diagnosis, list, shown};
+
+/// Columns of a ladder beside the text of a page.
+const WIDTH: usize = 80;
 
 /// How a program does.
-#[derive(Debug)]
-pub struct Row {
+pub struct Row<'c> {
     /// Its file.
     pub file: String,
+    /// Who has handed it in, where the file says so.
+    pub student: Option<Student>,
+    /// The exercise that it was graded in; none where that is not known.
+    pub task: Option<&'c Task>,
+    /// The program itself, where it is one.
+    pub work: Option<Work>,
     /// How many cases it passed.
     pub passed: usize,
     /// Why it did not pass all of them.
@@ -25,6 +35,14 @@ pub struct Row {
     pub machine: Option<String>,
     /// How many faults an answer names, where one is to be found.
     pub tries: Option<u32>,
+}
+
+/// A program as a teacher looks at it.
+pub enum Work {
+    /// As a ladder diagram, an SVG document.
+    Ladder(String),
+    /// As its text.
+    Text(String),
 }
 
 /// Why a program did not pass.
@@ -61,14 +79,95 @@ impl Shown {
     }
 }
 
-impl Row {
+impl<'c> Row<'c> {
     /// That of a file that cannot be read.
-    pub fn unreadable(path: &Path, why: String) -> Row {
+    pub fn unreadable(path: &Path, why: String) -> Row<'c> {
         Row::refused(shown(path), why, String::new())
     }
 
+    /// That of a file that cannot be graded, whatever is in it.
+    fn not_graded(path: &Path, why: String) -> Row<'c> {
+        let mut row = Row::unreadable(path, why);
+        if let Some(fail) = &mut row.fail {
+            fail.case = messages::not_graded();
+        }
+        row.machine = Some(messages::not_graded());
+        row
+    }
+
+    /// That of a program, which says no exercise: there has to be one alone.
+    pub fn of_program(file: ProgramFile, wording: &Wording, course: &'c Course) -> Row<'c> {
+        let ProgramFile { name, bytes } = file;
+        match course.only() {
+            Some(task) => Row::of(wording.of(name, bytes), task),
+            None => {
+                let path = Path::new(&name).to_owned();
+                Row::not_graded(&path, messages::which_exercise())
+            }
+        }
+    }
+
+    /// That of what was handed in. It says its exercise; all else is found out anew.
+    pub fn of_hand_in(path: &Path, wording: &Wording, course: &'c Course) -> Row<'c> {
+        let HandIn {
+            student,
+            exercise,
+            name,
+            text,
+        } = match HandIn::read(path) {
+            Ok(hand_in) => hand_in,
+            Err(why) => return Row::not_graded(path, why),
+        };
+        let mut row = match course.named(&exercise) {
+            Some(task) => Row::of(wording.of(name, text.into_bytes()), task),
+            None => Row::not_graded(path, messages::other_exercise(&exercise)),
+        };
+        row.file = shown(path);
+        row.student = Some(student);
+        row
+    }
+
+    /// Whether it was graded in this exercise.
+    pub fn is_of(&self, task: &Task) -> bool {
+        self.task.is_some_and(|own| std::ptr::eq(own, task))
+    }
+
+    /// What a table calls it.
+    pub fn who(&self) -> &str {
+        self.student.as_ref().map_or(&self.file, |it| &it.name)
+    }
+
+    /// How many cases there are.
+    pub fn cases(&self) -> usize {
+        self.task.map_or(0, |task| task.exercise.cases().len())
+    }
+
+    /// What it is worth, of 100: the share of the cases that it passed, where the machine counts as one of them.
+    pub fn points(&self) -> usize {
+        let has_machine = self.task.is_some_and(|task| task.plant.is_some());
+        let passed = self.passed + usize::from(has_machine && self.machine.is_none());
+        let of = self.cases() + usize::from(has_machine);
+        (passed * 100).checked_div(of).unwrap_or_default()
+    }
+
+    /// Whether the file says that it passed, and it does not.
+    pub fn is_boast(&self) -> bool {
+        let says = self.student.as_ref().is_some_and(|it| it.says_passed);
+        says && !self.is_passed()
+    }
+
     /// That of a program, which is compiled and run through all cases.
-    pub fn of(written: Written, exercise: &Exercise, plant: Option<&Plant>) -> Row {
+    fn of(written: Written, task: &'c Task) -> Row<'c> {
+        Row {
+            task: Some(task),
+            ..Row::came(written, task)
+        }
+    }
+
+    fn came(written: Written, task: &'c Task) -> Row<'c> {
+        let Task {
+            exercise, plant, ..
+        } = task;
         let board = written.board;
         if let Some(hidden) = &exercise.find {
             return Row::of_answer(&written, hidden);
@@ -89,7 +188,11 @@ impl Row {
         };
         let grade = grade(exercise, &program, &mut HostEngine::new(board));
         Row {
+            student: None,
+            task: None,
+            work: Some(Work::of(&source)),
             machine: plant
+                .as_ref()
                 .and_then(|plant| what_first(plant, &exercise.seeds, &program.bytes, board)),
             passed: grade.count(),
             tries: None,
@@ -103,7 +206,7 @@ impl Row {
     }
 
     /// That of an answer: which part of the machine fails, and how.
-    fn of_answer(written: &Written, hidden: &Hidden) -> Row {
+    fn of_answer(written: &Written, hidden: &Hidden) -> Row<'c> {
         let answer = Answer::of(&String::from_utf8_lossy(&written.bytes), hidden);
         let machine = match answer {
             Answer { is_found: true, .. } => None,
@@ -112,6 +215,9 @@ impl Row {
         };
         Row {
             file: written.name.clone(),
+            student: None,
+            task: None,
+            work: None,
             passed: 0,
             fail: None,
             machine,
@@ -119,7 +225,7 @@ impl Row {
         }
     }
 
-    fn of_refused(refused: Refused) -> Row {
+    fn of_refused(refused: Refused) -> Row<'c> {
         let (renderer, speak) = (Renderer::plain(), messages::spoken());
         match refused {
             Refused::NoProgram { name, why } => {
@@ -151,9 +257,12 @@ impl Row {
         }
     }
 
-    fn refused(file: String, why: String, excerpt: String) -> Row {
+    fn refused(file: String, why: String, excerpt: String) -> Row<'c> {
         Row {
             file,
+            student: None,
+            task: None,
+            work: None,
             passed: 0,
             tries: None,
             machine: Some(messages::not_compiled()),
@@ -168,6 +277,18 @@ impl Row {
     /// Whether it passed all cases, and did what the machine asks.
     pub fn is_passed(&self) -> bool {
         self.fail.is_none() && self.machine.is_none()
+    }
+}
+
+impl Work {
+    /// Whoever draws, or writes what is a ladder line by line, sees that again; the others see their text.
+    fn of(source: &Source) -> Work {
+        match source.language.written_in() {
+            WrittenIn::Il | WrittenIn::Numeric | WrittenIn::Xml => {
+                Work::Ladder(list::svg(source, WIDTH, messages::spoken()))
+            }
+            WrittenIn::Typed(_) => Work::Text(source.text.clone()),
+        }
     }
 }
 

@@ -1,0 +1,24 @@
+// What was handed in, opened again: its program and its drawing, for the teacher or for whoever goes on with it.
+
+import type { Text } from "../tools/answers";
+import { say } from "../words/learn";
+import { type Work, isDrawing } from "./document";
+import { note } from "./notes";
+
+/** What `form` says in such a file. */
+export const FORM = "unoclp-hand-in-1";
+
+/** The program of such a file; null where it is none, which is told. */
+export function handedIn({ name: file, text }: Text): (Text & Partial<Work>) | null {
+  try {
+    const { form, student, program, drawing } = JSON.parse(text) as Partial<Record<string, { name?: unknown; text?: unknown }>>;
+    if (String(form) === FORM && typeof program?.name === "string" && typeof program.text === "string") {
+      note(() => say("handedIn", { name: String(student?.name ?? "") }));
+      return { name: program.name, text: program.text, drawing: isDrawing(drawing) ? drawing : null };
+    }
+  } catch {
+    // Told below.
+  }
+  note(() => say("handedInNone", { file }));
+  return null;
+}

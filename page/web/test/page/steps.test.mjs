@@ -1,0 +1,66 @@
+// What a step of the tutorial shows besides its words: listings that go into the editor, and pictures of ladders.
+// @ts-check
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Lab, findings, keptText } from "./harness.mjs";
+
+/** @type {Lab} */
+let lab;
+before(async () => {
+  lab = await Lab.begin();
+});
+after(() => lab.end());
+
+const WORDS = {
+  "en-US": { put: "Put it into the editor", next: "Next step", draw: "Begin on an empty sheet", rung: "Draw it first" },
+  "pt-BR": { put: "Pôr no editor", next: "Próximo passo", draw: "Começar em uma folha vazia", rung: "Desenhe primeiro" },
+};
+
+for (const locale of /** @type {const} */ (["en-US", "pt-BR"])) {
+  test(`each step has its listings and ladders, begins with drawing, and asks for no command line, ${locale}`, async () => {
+    const page = await lab.still({ locale });
+    const words = WORDS[locale];
+    const lesson = page.locator("#lesson");
+    await page.click("#lessons");
+    await lesson.locator(".words", { hasText: words.rung }).waitFor();
+    assert.ok(await lesson.evaluate((it) => {
+      const [picture, listing] = [".rungs", ".listing"].map((one) => it.querySelector(one));
+      return picture && listing && (picture.compareDocumentPosition(listing) & Node.DOCUMENT_POSITION_FOLLOWING) !== 0;
+    }), "a ladder comes first");
+    let pictures = 0;
+    let listings = 0;
+    for (;;) {
+      const title = await lesson.locator("h3").textContent();
+      assert.doesNotMatch((await lesson.locator(".words").textContent()) ?? "", /unoclp \w|cargo/, title ?? "");
+      for (const picture of await lesson.locator(".rungs img").all()) {
+        await picture.evaluate((/** @type {HTMLImageElement} */ image) => image.src ? image.decode() : new Promise((done) => image.addEventListener("load", done)));
+        assert.ok(await picture.evaluate((/** @type {HTMLImageElement} */ image) => image.naturalWidth > 200), title ?? "");
+        pictures += 1;
+      }
+      for (const listing of await lesson.locator(".listing").all()) {
+        await listing.getByRole("button", { name: words.put }).click();
+        assert.equal(await keptText(page), await listing.locator("pre").textContent());
+        await page.locator("#problem-count.good").waitFor();
+        listings += 1;
+      }
+      if ((await lesson.getByRole("button", { name: words.next }).count()) === 0) break;
+      await lesson.getByRole("button", { name: words.next }).click();
+      await lesson.locator("h3", { hasNotText: title ?? "" }).waitFor();
+    }
+    assert.deepEqual([pictures, listings], [11, 14]);
+    await page.context().close();
+  });
+}
+
+test("a step is drawn from an empty sheet, and axe-core finds nothing in it", async () => {
+  const page = await lab.still();
+  await page.click("#lessons");
+  await page.locator("#lesson .rungs img").first().waitFor();
+  assert.deepEqual(await findings(page), []);
+  await page.getByRole("button", { name: WORDS["en-US"].draw }).click();
+  await page.locator("#sheet .rung").first().waitFor();
+  assert.equal(await keptText(page), "");
+  assert.equal(await page.inputValue("#name"), "01-lamp.il");
+  await page.context().close();
+});
