@@ -97,6 +97,7 @@ impl Checker<'_, '_, '_> {
         for vars in first.into_iter().chain(then) {
             self.section(vars);
         }
+        self.declare_chart(at);
         self.builder.close(unit);
         self.builder.go(before);
         self.within -= 1;
@@ -207,7 +208,8 @@ impl Checker<'_, '_, '_> {
         for at in 0..self.file.units.len() {
             let unit = self.units[at].0;
             self.builder.enter(unit);
-            let body = self.statements(&self.file.units[at].body);
+            let mut body = self.statements(&self.file.units[at].body);
+            body.extend(self.chart(at));
             self.builder.body(unit, body);
             self.builder.leave();
         }
