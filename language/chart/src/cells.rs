@@ -17,6 +17,8 @@ pub(crate) const TIME: u32 = 1;
 pub struct Cells {
     /// Of each step.
     pub(crate) steps: Vec<Place>,
+    /// The edges at which their time begins.
+    pub(crate) rises: Vec<Place>,
     /// Of each action.
     pub(crate) actions: Vec<OfAction>,
     /// When the scan before began.
@@ -60,10 +62,17 @@ impl Cells {
         let steps = net.steps.iter();
         let steps = steps.map(|node| named(builder, &node.name, step, begins(node.initial)));
         let steps = steps.collect();
+        let edge = edge(builder, Standard::RTrig);
+        let rises = (0..).zip(&net.steps);
+        let rises = rises.map(|(number, node): (usize, _)| {
+            own(builder, &format!("#rises{number}"), edge, node.name.at)
+        });
+        let rises = rises.collect();
         let actions = net.actions.iter();
         let actions = actions.map(|control| of_action(builder, control, action));
         Cells {
             steps,
+            rises,
             actions: actions.collect(),
             before: own(builder, "#before", TypeId::of(Base::Time), Span::default()),
             begun: own(builder, "#begun", TypeId::BOOL, Span::default()),
@@ -104,6 +113,11 @@ fn named(
     made.map_or_else(|| nowhere(name.at), |made| made.place(name.at))
 }
 
+/// An edge.
+fn edge(builder: &mut Builder<'_, '_>, edge: Standard) -> TypeId {
+    builder.tree.types.add_kind(Kind::Standard(edge), edge.cells())
+}
+
 /// Of what is wrong, which has been told.
 fn nowhere(at: Span) -> Place {
     Place {
@@ -140,8 +154,7 @@ fn of_action(builder: &mut Builder<'_, '_>, control: &Control, ty: TypeId) -> Of
         Some(_) => named(builder, &control.name, ty, None),
         None => variable(builder, &control.name).unwrap_or_else(|| nowhere(at)),
     };
-    let edge = Standard::FTrig;
-    let edge = builder.tree.types.add_kind(Kind::Standard(edge), edge.cells());
+    let edge = edge(builder, Standard::FTrig);
     let causes = control.does.iter().enumerate();
     OfAction {
         q,

@@ -6,10 +6,13 @@ use crate::cells::{Cells, TIME, passing};
 use crate::net::Net;
 use crate::order::order;
 use crate::touched::places_of;
-use crate::write::{assign, bit, both, joined, not, now, part, read, time, truth, when};
+use crate::control::EDGE_Q;
+use crate::write::{
+    assign, bit, both, call, joined, not, now, output, part, read, time, truth, when,
+};
 use std::collections::{BTreeSet, HashMap, HashSet};
 use unoclp_tree::build::{Builder, Section, Traits};
-use unoclp_tree::{Base, Binary, Compare, Expr, ExprKind, Place, Root, Stmt, TypeId};
+use unoclp_tree::{Base, Binary, Compare, Expr, ExprKind, Place, Root, Standard, Stmt, TypeId};
 
 /// The statements that judge the transitions, by their conditions. The steps that are given measure their time.
 pub(crate) fn evolve(
@@ -42,13 +45,8 @@ pub(crate) fn evolve(
         let stays = arc.from.iter().filter_map(|step| held.get(step));
         let stays = stays.filter(|_| arc.leaves.len() < arc.from.len());
         let stays = stays.map(|held| assign(part(held, 0, at), truth(true, at)));
-        let enters = |step: &u32| {
-            let active = assign(part(place(step), 0, at), truth(true, at));
-            let begins = assign(part(place(step), TIME, at), time(0, at));
-            let begins = timed.contains(step).then_some(begins);
-            [active].into_iter().chain(begins)
-        };
-        let enters = arc.enters.iter().flat_map(enters);
+        let enters = arc.enters.iter();
+        let enters = enters.map(|step| assign(part(place(step), 0, at), truth(true, at)));
         let mut fires: Vec<Stmt> = leaves.chain(stays).collect();
         if !order.late[turn as usize] {
             fires.extend(enters);
@@ -65,6 +63,13 @@ pub(crate) fn evolve(
         then.push(when(bit(&fired, at), enters.collect(), at));
     }
     all.extend(then);
+    for &step in timed {
+        let (at, rises) = (net.steps[step as usize].name.at, &cells.rises[step as usize]);
+        let active = &cells.steps[step as usize];
+        all.extend(call(Standard::RTrig, rises, vec![(0, bit(active, at))], at));
+        let begins = assign(part(active, TIME, at), time(0, at));
+        all.push(when(output(rises, EDGE_Q, at), vec![begins], at));
+    }
     all
 }
 

@@ -156,8 +156,9 @@ impl Net {
                 let new = self.actions.len();
                 let number = *numbers.entry(key).or_insert(new);
                 if number == new {
+                    let own = body.and_then(|body| chart.actions.get(body));
                     self.actions.push(Control {
-                        name: does.action.clone(),
+                        name: own.map_or(&does.action, |own| &own.name).clone(),
                         body,
                         does: Vec::new(),
                     });
@@ -170,17 +171,31 @@ impl Net {
                 });
             }
         }
-        for action in &chart.actions {
-            if !numbers.contains_key(&builder.key(&action.name.text)) {
-                let words = [action.name.text.as_str().into()];
-                builder.tell(Code::StActionUnused, action.name.at, words);
+        let used: HashSet<usize> = self.actions.iter().filter_map(|of| of.body).collect();
+        for (body, action) in chart.actions.iter().enumerate() {
+            if used.contains(&body) {
+                continue;
             }
+            // Its name is known all the same.
+            let name = action.name.clone();
+            if !numbers.contains_key(&builder.key(&name.text)) {
+                let words = [name.text.as_str().into()];
+                builder.tell(Code::StActionUnused, name.at, words);
+            }
+            self.actions.push(Control {
+                name,
+                body: Some(body),
+                does: Vec::new(),
+            });
         }
     }
 
     /// Transitions have names of their own.
     fn name_transitions<C, A>(&self, chart: &Chart<C, A>, builder: &mut Builder<'_, '_>) {
-        let mut taken = HashSet::new();
+        let steps = chart.steps.iter().map(|step| &step.name);
+        let actions = chart.actions.iter().map(|action| &action.name);
+        let named = steps.chain(actions);
+        let mut taken: HashSet<String> = named.map(|name| builder.key(&name.text)).collect();
         for name in chart.transitions.iter().filter_map(|one| one.name.as_ref()) {
             let is_new = taken.insert(builder.key(&name.text));
             if !is_new || builder.is_taken(&name.text) {
