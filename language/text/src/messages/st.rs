@@ -478,11 +478,11 @@ macro_rules! st_rows {
         "write N, R, S, L, D, P, P0, P1, SD, DS or SL"
         "`{0}` não é um qualificador de ação"
         "escreva N, R, S, L, D, P, P0, P1, SD, DS ou SL";
-    247 StQualifierTime Error
-        "{0} {1}"
-        "{2}"
-        "{0} {1}"
-        "{2}";
+    247 StTimeMissing Error
+        "the qualifier {0} needs a time"
+        "write {1}({0}, T#5s);"
+        "o qualificador {0} precisa de um tempo"
+        "escreva {1}({0}, T#5s);";
     248 StChartPlace Error
         "`{0}` cannot stand here: {1}"
         "{2}"
@@ -523,6 +523,11 @@ macro_rules! st_rows {
         "divide it into several charts, each in a FUNCTION_BLOCK"
         "este SFC tem situações demais para verificar todas: sequências perdidas, duplicadas ou travadas podem passar despercebidas"
         "divida-o em vários SFC, cada um em um FUNCTION_BLOCK";
+    256 StTimeExtra Error
+        "the qualifier {0} takes no time"
+        "write {1}({0}); or a qualifier with a time: L, D, SD, DS, SL"
+        "o qualificador {0} não leva tempo"
+        "escreva {1}({0}); ou um qualificador com tempo: L, D, SD, DS, SL";
         }
     };
 }

@@ -7,7 +7,7 @@ use super::super::ast::{Chart, Node, NodeKind, Statement};
 use super::super::token::Kind;
 use super::super::words::Keyword;
 use super::{Parsed, Parser, Told};
-use crate::diagnostics::{Code, Span, Word};
+use crate::diagnostics::{Code, Span};
 use crate::typed::{UnitKind, Value};
 use unoclp_chart::{Action, Does, Name, Qualifier, Step, Transition};
 
@@ -284,25 +284,12 @@ impl Parser<'_, '_> {
     }
 
     fn told_time(&mut self, does: &Does<Node>, at: Span) {
-        let name = does.qualifier.name();
-        let action = &does.action.text;
-        let (why, help): (Word, Word) = match does.qualifier.is_timed() {
-            true => (
-                ("needs a time", "precisa de um tempo").into(),
-                Word::Both(
-                    format!("write {action}({name}, T#5s);"),
-                    format!("escreva {action}({name}, T#5s);"),
-                ),
-            ),
-            false => (
-                ("takes no time", "não leva tempo").into(),
-                Word::Both(
-                    format!("write {action}({name}); or a qualifier with a time: L, D, SD, DS, SL"),
-                    format!("escreva {action}({name}); ou um qualificador com tempo: L, D, SD, DS, SL"),
-                ),
-            ),
+        let code = match does.qualifier.is_timed() {
+            true => Code::StTimeMissing,
+            false => Code::StTimeExtra,
         };
-        self.tell(Code::StQualifierTime, at, [name.into(), why, help]);
+        let action = does.action.text.as_str();
+        self.tell(code, at, [does.qualifier.name().into(), action.into()]);
     }
 
     fn transition(&mut self, chart: &mut Chart) -> Parsed<()> {
