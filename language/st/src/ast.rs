@@ -174,6 +174,9 @@ pub(super) struct TypeDecl {
     pub initial: Option<Init>,
 }
 
+/// A chart, with its conditions, times and bodies as they are written.
+pub(super) type Chart = unoclp_chart::Chart<Node, Vec<Statement>>;
+
 #[derive(Debug)]
 pub(super) struct UnitDecl {
     pub kind: UnitKind,
@@ -182,6 +185,8 @@ pub(super) struct UnitDecl {
     pub result: Option<TypeSpec>,
     pub vars: Vec<Vars>,
     pub body: Vec<Statement>,
+    /// What it does, where that is a chart and not statements.
+    pub chart: Option<Chart>,
 }
 
 #[derive(Debug, Default)]

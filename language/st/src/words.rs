@@ -28,11 +28,11 @@ macro_rules! keywords {
 keywords! {
     And "AND"; Array "ARRAY"; At "AT"; Begin "BEGIN"; By "BY"; Case "CASE"; Configuration "CONFIGURATION";
     Constant "CONSTANT"; Continue "CONTINUE"; DataBlock "DATA_BLOCK"; Do "DO"; Else "ELSE"; Elsif "ELSIF";
-    EndCase "END_CASE"; EndConfiguration "END_CONFIGURATION"; EndFor "END_FOR"; EndFunction "END_FUNCTION";
+    EndAction "END_ACTION"; EndCase "END_CASE"; EndConfiguration "END_CONFIGURATION"; EndFor "END_FOR"; EndFunction "END_FUNCTION";
     EndFunctionBlock "END_FUNCTION_BLOCK"; EndIf "END_IF"; EndOrganizationBlock "END_ORGANIZATION_BLOCK";
-    EndProgram "END_PROGRAM"; EndRegion "END_REGION"; EndRepeat "END_REPEAT"; EndStruct "END_STRUCT";
-    EndType "END_TYPE"; EndVar "END_VAR"; EndWhile "END_WHILE"; Exit "EXIT"; False "FALSE"; For "FOR";
-    Function "FUNCTION"; FunctionBlock "FUNCTION_BLOCK"; Goto "GOTO"; If "IF"; Mod "MOD"; NonRetain "NON_RETAIN";
+    EndProgram "END_PROGRAM"; EndRegion "END_REGION"; EndRepeat "END_REPEAT"; EndStep "END_STEP";
+    EndStruct "END_STRUCT"; EndTransition "END_TRANSITION"; EndType "END_TYPE"; EndVar "END_VAR"; EndWhile "END_WHILE"; Exit "EXIT"; False "FALSE"; For "FOR";
+    Function "FUNCTION"; FunctionBlock "FUNCTION_BLOCK"; Goto "GOTO"; If "IF"; InitialStep "INITIAL_STEP"; Mod "MOD"; NonRetain "NON_RETAIN";
     Not "NOT"; Of "OF"; Or "OR"; OrganizationBlock "ORGANIZATION_BLOCK"; Persistent "PERSISTENT";
     Program "PROGRAM"; Region "REGION"; Repeat "REPEAT"; Retain "RETAIN"; Return "RETURN"; Struct "STRUCT";
     Then "THEN"; To "TO"; True "TRUE"; Type "TYPE"; Until "UNTIL"; Var "VAR"; VarAccess "VAR_ACCESS";
@@ -73,6 +73,12 @@ impl Keyword {
             self,
             EndProgram | EndFunction | EndFunctionBlock | EndOrganizationBlock
         )
+    }
+
+    /// Whether it ends a part of a chart.
+    pub fn ends_part_of_chart(self) -> bool {
+        use Keyword::*;
+        matches!(self, EndStep | EndTransition | EndAction)
     }
 
     /// Whether it begins a unit or what stands beside one.
@@ -127,6 +133,10 @@ pub(super) fn meant(upper: &str) -> Keyword {
         "ENDTYPE" => EndType,
         "BREAK" => Exit,
         "FUNCTIONBLOCK" => FunctionBlock,
+        "ENDSTEP" => EndStep,
+        "ENDTRANSITION" | "END_TRANS" => EndTransition,
+        "ENDACTION" => EndAction,
+        "INITIALSTEP" | "INIT_STEP" => InitialStep,
         "SWITCH" => Case,
         "VAR_IN" | "VARINPUT" | "VAR_INPUTS" => VarInput,
         "VAR_OUT" | "VAROUTPUT" | "VAR_OUTPUTS" => VarOutput,

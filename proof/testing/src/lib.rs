@@ -3,6 +3,7 @@
 //!
 //! Owns what tests are made of. Must not know what is tested.
 
+pub mod chart;
 mod languages;
 mod random;
 mod typed;

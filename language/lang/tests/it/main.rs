@@ -14,6 +14,7 @@ mod grammars;
 mod limits;
 mod places;
 mod random_programs;
+mod random_charts;
 mod random_typed;
 mod round_trip;
 mod shapes;

@@ -3,11 +3,11 @@
 //! Owns what is told of bounds and sizes.
 
 use super::super::ast::{Name, Node, SpecKind, TypeSpec};
-use super::{Checker, MOST_WITHIN, State};
+use super::{Checker, MOST_WITHIN, Stage};
 use std::collections::HashSet;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::build::MOST_CELLS;
-use unoclp_tree::{Base, Enumeration, Kind, Member, TypeId, UnitKind};
+use unoclp_tree::{Base, Enumeration, Kind, Member, TypeId};
 
 fn clamped(number: i128) -> i64 {
     i64::try_from(number).unwrap_or(i64::MAX)

@@ -4,10 +4,12 @@
 //! - `units`: variables, and the order in which units are declared
 //! - `pieces`: what stands in Instruction List as in Structured Text
 //! - `condition`: an expression alone, over names that are given
+//! - `chart`: steps, transitions, actions
 //! - `expressions`, `statements`: the rest
 //!
 //! What a name means and which types go together is the builder's to say; this says what stands in the text.
 
+mod chart;
 pub(super) mod condition;
 mod derived;
 mod expressions;
@@ -61,6 +63,10 @@ pub struct Checker<'a, 't, 'f> {
     blocks: HashMap<String, usize>,
     /// Units with code for another machine by their names, and whether something uses them.
     foreign: HashMap<String, bool>,
+    /// The charts of the units that have one.
+    charts: HashMap<usize, chart::Declared>,
+    /// What is checked is the body of an action.
+    in_action: bool,
     /// Whether the text reads ENO of an instance.
     reads_eno: bool,
     within: u32,
@@ -78,6 +84,8 @@ impl<'a, 't, 'f> Checker<'a, 't, 'f> {
             units: Vec::new(),
             blocks: HashMap::new(),
             foreign: HashMap::new(),
+            charts: HashMap::new(),
+            in_action: false,
             reads_eno: false,
             within: 0,
             maker: None,

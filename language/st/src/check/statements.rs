@@ -35,6 +35,10 @@ impl Checker<'_, '_, '_> {
                 all.extend(self.builder.leaves_loop(kind, at));
                 return;
             }
+            StatementKind::Return if self.in_action => {
+                self.return_in_action(at);
+                return;
+            }
             StatementKind::Return => StmtKind::Return,
             StatementKind::Enabled(en, eno, inner) => {
                 self.enabled(en.as_ref(), eno.as_ref(), inner, all);
@@ -121,7 +125,7 @@ impl Checker<'_, '_, '_> {
         self.builder.eno(&target)
     }
 
-    fn condition(&mut self, node: &Node) -> unoclp_tree::Expr {
+    pub(super) fn condition(&mut self, node: &Node) -> unoclp_tree::Expr {
         let expr = self.expr(node, None);
         self.builder.condition(expr)
     }

@@ -103,6 +103,7 @@ impl Checker<'_, '_, '_> {
         for vars in first.into_iter().chain(then) {
             self.section(vars);
         }
+        self.declare_chart(at);
         self.units[at] = Stage::Done(self.builder.close(unit));
         self.builder.back(before);
         self.within -= 1;
@@ -210,10 +211,11 @@ impl Checker<'_, '_, '_> {
     /// What each unit does.
     pub(super) fn bodies(&mut self) {
         let units = std::mem::take(&mut self.units);
-        for (declaration, stage) in self.file.units.iter().zip(units) {
+        for (at, stage) in units.into_iter().enumerate() {
             let Stage::Done(unit) = stage else { continue };
             let before = self.builder.enter(&unit);
-            let body = self.statements(&declaration.body);
+            let mut body = self.statements(&self.file.units[at].body);
+            body.extend(self.chart(at));
             self.builder.back(before);
             self.builder.body(unit, body);
         }

@@ -24,10 +24,6 @@ fn meaning(upper: &str) -> Option<(&'static str, &'static str)> {
             "unoclp has no namespaces; write the units without it",
             "o unoclp não tem namespaces; escreva as unidades sem isto",
         ),
-        "INITIAL_STEP" | "STEP" | "TRANSITION" | "ACTION" => (
-            "it belongs to SFC, which Structured Text does not have; write CASE with a variable that holds the step",
-            "isto pertence ao SFC, que o Texto Estruturado não tem; escreva CASE com uma variável que guarda a etapa",
-        ),
         _ => return None,
     })
 }

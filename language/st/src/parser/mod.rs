@@ -3,11 +3,12 @@
 //! - `unit`: programs, functions, blocks, and what stands around them
 //! - `declare`, `types`, `initial`: variables, their types, and what they begin with
 //! - `statement`, `compound` (loops), `choice`: statements; `recover`: what is done after one that is wrong
-//! - `enable`: EN and ENO of a call
+//! - `enable`: EN and ENO of a call; `chart`: steps, transitions, actions
 //! - `expression`, `operand`, `path`: the rest
 //!
 //! It tells what is not written as the grammar has it, once for each place, and goes on after the statement.
 
+mod chart;
 mod choice;
 mod compound;
 mod declare;
@@ -73,6 +74,8 @@ pub(super) struct Parser<'t, 'f> {
     open: u32,
     /// What ends the statements that are open.
     closers: Vec<Keyword>,
+    /// It reads a chart.
+    in_chart: bool,
     /// Nothing more is told: what was told last leaves nothing to be read.
     dead: bool,
     /// What is named further on may be what a wrong declaration was to declare.
@@ -151,6 +154,7 @@ impl<'t, 'f> Parser<'t, 'f> {
             foreign: HashSet::new(),
             open: 0,
             closers: Vec::new(),
+            in_chart: false,
             dead,
             wrong_declarations: false,
             late: false,

@@ -25,6 +25,9 @@ impl Parser<'_, '_> {
         if self.is(Kind::End) || keyword.ends_unit() || keyword.begins_unit() {
             return true;
         }
+        if self.ends_in_chart() {
+            return true;
+        }
         if keyword.ends_part() {
             return !self.stray_end(keyword);
         }
@@ -97,6 +100,9 @@ impl Parser<'_, '_> {
         while !self.is(Kind::End) {
             let keyword = self.keyword();
             if keyword.ends_unit() || keyword.begins_unit() || keyword.is_section() {
+                return;
+            }
+            if self.ends_in_chart() {
                 return;
             }
             if matches!(keyword, Keyword::Then | Keyword::Do | Keyword::Of) {

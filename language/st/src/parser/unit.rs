@@ -328,13 +328,14 @@ impl Parser<'_, '_> {
                 break;
             }
         }
-        let body = self.statements();
+        let (body, chart) = self.body(kind);
         UnitDecl {
             kind,
             name,
             result,
             vars,
             body,
+            chart,
         }
     }
 

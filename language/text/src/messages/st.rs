@@ -448,6 +448,86 @@ macro_rules! st_rows {
         "retain a register outside of the table"
         "linha {1}: {0} retém parte de uma tabela, mas o Texto Estruturado retém matrizes inteiras"
         "retenha um registrador fora da tabela";
+    241 StNoStep Error
+        "`{0}` is not a step of this chart"
+        "{1}"
+        "`{0}` não é uma etapa deste SFC"
+        "{1}";
+    242 StNoInitialStep Error
+        "this chart has no initial step, so nothing in it would ever run"
+        "write INITIAL_STEP in place of STEP at the step with which it begins"
+        "este SFC não tem etapa inicial, e nada nele seria executado"
+        "escreva INITIAL_STEP no lugar de STEP na etapa com que ele começa";
+    243 StTwoInitialSteps Error
+        "`{0}` and `{1}` are both initial steps of one chart"
+        "write STEP in place of INITIAL_STEP at one of them; steps that no transition joins to the others are a chart of their own"
+        "`{0}` e `{1}` são ambas etapas iniciais do mesmo SFC"
+        "escreva STEP no lugar de INITIAL_STEP em uma delas; etapas que nenhuma transição une às outras são um SFC próprio";
+    244 StStepTwice Error
+        "`{0}` stands twice in this list"
+        "delete one of them"
+        "`{0}` está duas vezes nesta lista"
+        "apague uma delas";
+    245 StNoAction Error
+        "`{0}` is neither an action of this chart nor a BOOL variable"
+        "{1}"
+        "`{0}` não é uma ação deste SFC nem uma variável BOOL"
+        "{1}";
+    246 StQualifier Error
+        "`{0}` is not an action qualifier"
+        "write N, R, S, L, D, P, P0, P1, SD, DS or SL"
+        "`{0}` não é um qualificador de ação"
+        "escreva N, R, S, L, D, P, P0, P1, SD, DS ou SL";
+    247 StTimeMissing Error
+        "the qualifier {0} needs a time"
+        "write {1}({0}, T#5s);"
+        "o qualificador {0} precisa de um tempo"
+        "escreva {1}({0}, T#5s);";
+    248 StChartPlace Error
+        "`{0}` cannot stand here: {1}"
+        "{2}"
+        "`{0}` não pode ficar aqui: {1}"
+        "{2}";
+    249 StActionUnused Warning
+        "no step uses the action `{0}`, so it is never executed"
+        "write {0}(N); between STEP and END_STEP, or delete the action"
+        "nenhuma etapa usa a ação `{0}`, e ela nunca é executada"
+        "escreva {0}(N); entre STEP e END_STEP, ou apague a ação";
+    250 StStepUnreached Warning
+        "step `{0}` can never become active"
+        "write a TRANSITION that leads to it"
+        "a etapa `{0}` nunca pode ficar ativa"
+        "escreva uma TRANSITION que leve a ela";
+    251 StNeverFires Warning
+        "this transition can never fire: its steps ({0}) are never active together"
+        "a simultaneous convergence needs a simultaneous divergence before it; after a selection write one TRANSITION for each branch"
+        "esta transição nunca pode disparar: as suas etapas ({0}) nunca estão ativas juntas"
+        "uma convergência simultânea precisa de uma divergência simultânea antes; depois de uma seleção escreva uma TRANSITION para cada ramo";
+    252 StTokenDoubled Warning
+        "this transition can enter step `{0}` while it is active, so two sequences become one"
+        "end simultaneous sequences together: TRANSITION FROM (a, b) TO c"
+        "esta transição pode entrar na etapa `{0}` quando ela já está ativa, e duas sequências viram uma"
+        "termine juntas as sequências simultâneas: TRANSITION FROM (a, b) TO c";
+    253 StChartStuck Warning
+        "the chart can get stuck: with {0} active, no transition can ever fire"
+        "let each simultaneous sequence reach its last step; do not leave one of them by a selection"
+        "o SFC pode travar: com {0} ativa, nenhuma transição pode disparar"
+        "deixe cada sequência simultânea chegar à sua última etapa; não saia de uma delas por uma seleção";
+    254 StChartEnds Warning
+        "the chart ends here: no transition leaves {0}"
+        "write a TRANSITION FROM this step, if the cycle is to begin again"
+        "o SFC termina aqui: nenhuma transição sai de {0}"
+        "escreva uma TRANSITION FROM desta etapa, se o ciclo deve recomeçar";
+    255 StChartTooLarge Warning
+        "this chart has too many situations to check them all: lost, doubled or stuck sequences may go unnoticed"
+        "divide it into several charts, each in a FUNCTION_BLOCK"
+        "este SFC tem situações demais para verificar todas: sequências perdidas, duplicadas ou travadas podem passar despercebidas"
+        "divida-o em vários SFC, cada um em um FUNCTION_BLOCK";
+    256 StTimeExtra Error
+        "the qualifier {0} takes no time"
+        "write {1}({0}); or a qualifier with a time: L, D, SD, DS, SL"
+        "o qualificador {0} não leva tempo"
+        "escreva {1}({0}); ou um qualificador com tempo: L, D, SD, DS, SL";
         }
     };
 }

@@ -24,6 +24,8 @@ pub enum Section {
     Global,
     /// Names a global.
     External,
+    /// A step or an action of a chart, which the chart alone changes.
+    Chart,
 }
 
 /// What else a declaration says.
@@ -82,6 +84,8 @@ pub enum Lock {
     Output,
     /// An input of the board.
     Sensor,
+    /// A step or an action of a chart.
+    Chart,
 }
 
 /// What a name stands for.

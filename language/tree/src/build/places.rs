@@ -124,9 +124,10 @@ impl Builder<'_, '_> {
                 .here()
                 .is_some_and(|draft| draft.result.is_some() && draft.unit.name == variable.name);
         let input = variable.section == Section::Input && is_own && kind != Some(UnitKind::Program);
-        let locked = match variable.constant {
-            true => Some(Lock::Constant),
-            false => self.input_point(variable.root, variable.offset),
+        let locked = match variable.section {
+            Section::Chart => Some(Lock::Chart),
+            _ if variable.constant => Some(Lock::Constant),
+            _ => self.input_point(variable.root, variable.offset),
         };
         Target {
             place: variable.place(at),

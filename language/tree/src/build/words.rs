@@ -75,6 +75,16 @@ impl Builder<'_, '_> {
                     "só o bloco a muda; guarde em uma das entradas dele",
                 ),
             ),
+            Lock::Chart => (
+                (
+                    "a part of a step or an action of the chart",
+                    "uma parte de uma etapa ou ação do SFC",
+                ),
+                (
+                    "only transitions change steps; write a TRANSITION to this step",
+                    "só as transições mudam as etapas; escreva uma TRANSITION para esta etapa",
+                ),
+            ),
             Lock::Sensor => (
                 (
                     "an input, which only its sensor changes",
