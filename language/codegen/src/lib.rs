@@ -251,6 +251,7 @@ fn units(tree: &Tree, text: &str) -> Units {
     let mut starts: Vec<(u32, Option<Arc<str>>)> = tree
         .units
         .iter()
+        .filter(|unit| unit.at != Span::default())
         .map(|unit| {
             let is_named = unit.kind != UnitKind::Program || tree.programs.len() > 1;
             (unit.at.start, is_named.then(|| Arc::from(&*unit.name)))

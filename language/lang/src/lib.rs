@@ -55,6 +55,7 @@ pub use literal::duration;
 pub use moved::{Adapted, adapt_at};
 pub use operators::is_operator;
 pub use points::{no_such_point, point};
+pub use st::{brought, is_brought};
 pub use to_st::to_st;
 pub use unoclp_codegen::{CodeLine, CompiledText, Held, Holding, Shows, Trace, Variable, literal};
 pub use unoclp_text::{lacking, show};

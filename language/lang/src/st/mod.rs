@@ -1,20 +1,22 @@
 //! Structured Text (IEC 61131-3, B.3), SCL, and pieces of Instruction List that are written so: from a text to the typed tree.
 //!
 //! `lexer` (bytes → words, `token`; `comments` and `bounds` of literals), `typed::literal` (what they are worth), `parser` (words → `ast`;
-//! `pieces` of a list too), `check` (names and types, by the builder that all typed languages share). It knows no board and no
-//! files, and no text makes it panic.
+//! `pieces` of a list too), `library` (blocks that others bring), `check` (names and types, by the builder that all typed
+//! languages share). It knows no board and no files, and no text makes it panic.
 
 mod ast;
 mod bounds;
 mod check;
 mod comments;
 mod lexer;
+mod library;
 mod parser;
 pub(crate) mod pieces;
 mod token;
 mod words;
 
 pub(crate) use check::{Checker, Of};
+pub use library::{brought, is_brought};
 pub(crate) use token::Dialect;
 
 use crate::colour::Colour;
@@ -83,5 +85,20 @@ pub(crate) fn check(text: &str, dialect: Dialect, board: Board, found: &mut Foun
     if !trusted {
         return None;
     }
-    check::check(text, &file, board, found)
+    let missing = match dialect {
+        Dialect::Iec => library::missing(&file),
+        Dialect::Scl | Dialect::Il => String::new(),
+    };
+    if missing.is_empty() {
+        return check::check(text, &file, board, found);
+    }
+    let whole = format!("{text}\n{missing}");
+    let (file, _) = parser::parse(&whole, dialect, &mut Found::default());
+    let mut tree = check::check(&whole, &file, board, found)?;
+    for unit in &mut tree.units {
+        if unit.at.start as usize > text.len() {
+            unit.at = Span::default();
+        }
+    }
+    Some(tree)
 }
