@@ -29,9 +29,17 @@ impl Found {
             return;
         }
         self.errors += usize::from(diagnostic.severity() == Severity::Error);
-        match self.told.listed.len() < MOST {
-            true => self.told.listed.push(diagnostic),
-            false => self.told.more += 1,
+        if self.told.listed.len() < MOST {
+            self.told.listed.push(diagnostic);
+            return;
+        }
+        self.told.more += 1;
+        // No warning takes the place of an error.
+        let is_warning = |told: &Diagnostic| told.severity() != Severity::Error;
+        if !is_warning(&diagnostic)
+            && let Some(last) = self.told.listed.iter().rposition(is_warning)
+        {
+            self.told.listed[last] = diagnostic;
         }
     }
 

@@ -186,7 +186,12 @@ impl Inliner<'_, '_> {
                 }
             }
         }
+        let before = self.brought;
+        if unit.at == Span::default() {
+            self.brought.get_or_insert(call.at);
+        }
         self.body(unit, &mut callee);
+        self.brought = before;
         for (output, to) in call.outputs.iter().zip(outputs) {
             let from = callee.local + output.from;
             match output.value {

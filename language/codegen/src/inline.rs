@@ -56,6 +56,8 @@ pub(super) struct Inliner<'t, 'f> {
     /// The same of expressions.
     pub high: u32,
     pub too_large: Option<Span>,
+    /// Where a unit that does not stand in the text is called: its steps stand there.
+    pub brought: Option<Span>,
     pub found: &'f mut Found,
 }
 
@@ -78,6 +80,7 @@ pub(super) fn inline(tree: &Tree, found: &mut Found) -> Flat {
         deep: 0,
         high: 0,
         too_large: None,
+        brought: None,
         found,
     };
     for &number in &tree.programs {
@@ -109,7 +112,8 @@ impl Inliner<'_, '_> {
         self.add(Step { does, at, shown });
     }
 
-    fn add(&mut self, step: Step) {
+    fn add(&mut self, mut step: Step) {
+        step.at = self.brought.unwrap_or(step.at);
         self.steps += 1;
         if self.steps > MOST_STEPS {
             self.too_large.get_or_insert(step.at);

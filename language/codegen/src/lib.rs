@@ -85,7 +85,7 @@ use unoclp_checked::{Checked, SourceMap, Work};
 use unoclp_core::Board;
 use unoclp_text::Dialect;
 use unoclp_text::comments::{self, Comments};
-use unoclp_text::diagnostics::{Found, Lines, Severity, Told};
+use unoclp_text::diagnostics::{Found, Lines, Severity, Span, Told};
 use unoclp_tree::{Read, Tree, UnitKind, Units, Written};
 pub use variables::{Held, Holding, Variable, literal};
 
@@ -250,6 +250,7 @@ fn units(tree: &Tree, text: &str) -> Units {
     let mut starts: Vec<(u32, Option<Arc<str>>)> = tree
         .units
         .iter()
+        .filter(|unit| unit.at != Span::default())
         .map(|unit| {
             let is_named = unit.kind != UnitKind::Program || tree.programs.len() > 1;
             (unit.at.start, is_named.then(|| Arc::from(&*unit.name)))

@@ -52,6 +52,13 @@ impl Temps {
         }
     }
 
+    /// Whether a marker is free for a name; of those that keep their state where `retained`.
+    pub(crate) fn has_marker(&self, retained: bool) -> bool {
+        let used = self.markers;
+        let mut markers = self.board.markers_that(retained);
+        markers.any(|n| used >> (n - 1) & 1 == 0)
+    }
+
     /// A register for a name, the lowest that is free.
     pub(crate) fn named_register(&mut self) -> u8 {
         let used = self.registers;

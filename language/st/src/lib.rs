@@ -1,8 +1,8 @@
 //! Structured Text (IEC 61131-3, B.3), SCL, and pieces of Instruction List that are written so: from a text to the typed tree.
 //!
 //! `lexer` (bytes → words, `token`; `comments` and `bounds` of literals), `typed::literal` (what they are worth), `parser` (words → `ast`;
-//! `pieces` of a list too), `check` (names and types, by the builder that all typed languages share). [`condition()`]: an
-//! expression alone, asked again and again.
+//! `pieces` of a list too), `library` (blocks that others bring), `check` (names and types, by the builder that all typed
+//! languages share). [`condition()`]: an expression alone, asked again and again.
 //!
 //! Owns what each word of Structured Text means. Must not know other languages, instructions of a board, files. No text makes
 //! it panic.
@@ -15,6 +15,7 @@ mod check;
 mod comments;
 mod condition;
 mod lexer;
+mod library;
 mod parser;
 pub mod pieces;
 mod token;
@@ -22,6 +23,7 @@ mod words;
 
 pub use check::{Checker, Of};
 pub use condition::{Condition, Judge, condition, is_name};
+pub use library::{brought, is_brought};
 pub use token::Dialect;
 
 use unoclp_text::colour::Colour;
@@ -79,5 +81,20 @@ pub fn check(text: &str, dialect: Dialect, board: Board, found: &mut Found) -> O
     if !trusted {
         return None;
     }
-    check::check(text, &file, board, found)
+    let missing = match dialect {
+        Dialect::Iec => library::missing(&file),
+        Dialect::Scl | Dialect::Il => String::new(),
+    };
+    if missing.is_empty() {
+        return check::check(text, &file, board, found);
+    }
+    let whole = format!("{text}\n{missing}");
+    let (file, _) = parser::parse(&whole, dialect, &mut Found::default());
+    let mut tree = check::check(&whole, &file, board, found)?;
+    for unit in &mut tree.units {
+        if unit.at.start as usize > text.len() {
+            unit.at = Span::default();
+        }
+    }
+    Some(tree)
 }

@@ -4,6 +4,7 @@ use super::Body;
 use super::units::{returns, standard};
 use super::what::What;
 use crate::network::Wire;
+use unoclp_lang::brought;
 use unoclp_lang::typed::Base;
 
 /// Results after each other are looked at so far, to find a type.
@@ -161,7 +162,9 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             let (_, (_, base, _)) = block.part(&member.to_uppercase())?;
             return Some(base.name().to_owned());
         }
-        self.units.types.member(of, member)
+        let brought = brought(&of.to_uppercase(), &member.to_uppercase());
+        let brought = brought.map(|base| base.name().to_owned());
+        brought.or_else(|| self.units.types.member(of, member))
     }
 }
 

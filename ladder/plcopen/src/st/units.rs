@@ -5,6 +5,7 @@ use crate::project::Pou;
 use crate::types::{Types, kind};
 use crate::xml::first;
 use std::collections::HashMap;
+use unoclp_lang::is_brought;
 use unoclp_lang::typed::Standard;
 
 /// The units and types of a project.
@@ -27,7 +28,7 @@ impl<'p, 'a, 'x: 'a> Units<'p, 'a, 'x> {
         self.by_name.get(&name.to_uppercase()).copied()
     }
 
-    /// Whether an element is a function block, of the norm or the project's own.
+    /// Whether an element is a function block: of the norm, the project's own, or one that others bring.
     pub(crate) fn is_block(&self, element: &Element<'_, '_>) -> bool {
         if element.kind != "block" {
             return false;
@@ -35,7 +36,7 @@ impl<'p, 'a, 'x: 'a> Units<'p, 'a, 'x> {
         let name = element.block();
         match self.get(&name) {
             Some(pou) => pou.kind == "functionBlock",
-            None => standard(&name).is_some(),
+            None => standard(&name).is_some() || is_brought(&name),
         }
     }
 }

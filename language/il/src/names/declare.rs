@@ -78,6 +78,8 @@ impl Names<'_> {
             return place;
         }
         let place = match var.ty.text.as_str() {
+            // It goes where bits of Structured Text go: into a register.
+            "BOOL" if !self.temps.has_marker(var.retain) => return Place::Typed,
             "BOOL" => Place::Bit(Bit::At(Address::Marker(
                 self.temps.named_marker(var.retain),
             ))),

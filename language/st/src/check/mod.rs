@@ -111,7 +111,7 @@ pub(super) fn check(text: &str, file: &File, board: Board, found: &mut Found) ->
     checker.builder.finish()
 }
 
-/// Whether there is something to run.
+/// Whether there is something to run, or to check.
 fn is_program(text: &str, file: &File, found: &mut Found) -> bool {
     use unoclp_tree::UnitKind::Program;
     if file.units.iter().any(|unit| unit.kind == Program) {
@@ -121,23 +121,24 @@ fn is_program(text: &str, file: &File, found: &mut Found) -> bool {
         return false;
     }
     let end = text.trim_end().len() as u32;
-    let why: Word = match (file.units.is_empty(), file.globals.is_empty()) {
-        (false, _) => (
-            "functions and function blocks do nothing until a program calls them",
-            "funções e blocos de funções não fazem nada até que um programa os chame",
-        )
-            .into(),
-        (true, false) => (
+    let end = Span { start: end, end };
+    if !file.units.is_empty() {
+        // Others keep each block in a file of its own.
+        found.tell(Code::StLibrary, end, []);
+        return true;
+    }
+    let why: Word = match file.globals.is_empty() && file.types.is_empty() {
+        false => (
             "the declarations are there, but no statement",
             "as declarações estão aí, mas nenhum comando",
         )
             .into(),
-        (true, true) => (
+        true => (
             "the text holds no statement",
             "o texto não tem nenhum comando",
         )
             .into(),
     };
-    found.tell(Code::StNoProgram, Span { start: end, end }, [why]);
+    found.tell(Code::StNoProgram, end, [why]);
     false
 }

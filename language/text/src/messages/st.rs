@@ -143,6 +143,11 @@ macro_rules! st_rows {
         "the board reads its inputs before each scan; use a variable without an address"
         "`{0}` é uma entrada, e o que se guarda nela só dura até a próxima varredura"
         "a placa lê as entradas antes de cada varredura; use uma variável sem endereço";
+    129 StLibrary Warning
+        "there is no program here: functions and function blocks do nothing until a program calls them"
+        "write PROGRAM main, its statements, and END_PROGRAM, where it shall run"
+        "não há programa aqui: funções e blocos de funções não fazem nada até que um programa os chame"
+        "escreva PROGRAM principal, os comandos e END_PROGRAM, se for para executar";
     130 StUndeclared Error
         "nothing declares `{0}`"
         "{1}"
