@@ -232,6 +232,7 @@ fn a_ladder_names_its_nets_and_steps() {
         "data-point=\"I1\"",
         "data-point=\"Q1\"",
         "data-rung=\"1\"",
+        "data-nets=\"0\"",
         "data-lines=\"1-4\"",
         "class=\"wire n",
     ] {

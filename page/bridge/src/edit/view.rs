@@ -4,12 +4,12 @@ use super::shown::Shown;
 use crate::words::{Both, both};
 use serde::{Serialize, Serializer};
 use unoclp_draw::Area;
-use unoclp_draw::edit::{Canvas, Document, Drawn, Editor, Place};
+use unoclp_draw::edit::{self, Canvas, Document, Drawn, Editor, Place, Strip};
 use unoclp_edit::{At, wrong};
 use unoclp_program::Lang;
 use unoclp_program::list::title;
 
-/// A rectangle of the drawing: left and upper edge, width, height.
+/// A rectangle of a rung's drawing: left and upper edge, width, height.
 #[derive(Debug)]
 struct Rectangle([f32; 4]);
 
@@ -58,9 +58,26 @@ pub struct View {
 /// The drawing.
 #[derive(Debug, Serialize)]
 pub struct Sheet {
+    width: f32,
+    height: f32,
+    rungs: Vec<Rung>,
+}
+
+/// A rung where it stands: its upper edge, and how many nets and steps there are before its own.
+#[derive(Debug, Serialize)]
+struct Rung {
+    id: u32,
+    top: f32,
+    nets: u32,
+    first: usize,
+    /// Left out where it is as it was.
+    drawn: Option<RungDrawing>,
+}
+
+/// A rung wherever it stands.
+#[derive(Debug, Serialize)]
+struct RungDrawing {
     svg: String,
-    area: Rectangle,
-    spots: Vec<(u32, Rectangle)>,
     places: Vec<(u32, &'static str, Rectangle)>,
 }
 
@@ -131,31 +148,53 @@ impl View {
     }
 }
 
-/// The drawing of a document, of so many columns, in a language.
-pub fn sheet(document: &Document, drawn: &Drawn, width: usize, lang: Lang) -> Sheet {
+/// The drawing of a document, of so many columns, in a language; a page has the one before.
+pub fn canvas(
+    document: &Document,
+    drawn: &Drawn,
+    (width, lang): (usize, Lang),
+    before: Option<&Canvas>,
+) -> Canvas {
     let title = title(lang);
-    let about = document.title().first().cloned().unwrap_or_default();
-    Sheet::of(drawn.canvas(document, width, &|number| title(number, None), &about))
+    drawn.canvas(document, width, &|number| title(number, None), before)
 }
 
 impl Sheet {
-    fn of(canvas: Canvas) -> Sheet {
-        let rectangle = |area: Area| Rectangle([area.x, area.y, area.width, area.height]);
-        let places = canvas.places.into_iter().map(|opening| {
+    pub(super) fn of(canvas: &Canvas) -> Sheet {
+        let (width, height) = canvas.size;
+        let rung = |strip: &Strip| Rung {
+            id: strip.id.0,
+            top: strip.top,
+            nets: strip.nets,
+            first: strip.first,
+            drawn: strip.is_new.then(|| RungDrawing::of(&strip.drawn)),
+        };
+        Sheet {
+            width,
+            height,
+            rungs: canvas.rungs.iter().map(rung).collect(),
+        }
+    }
+}
+
+impl RungDrawing {
+    fn of(drawn: &edit::RungDrawing) -> RungDrawing {
+        let places = drawn.places.iter().map(|opening| {
             let place = match opening.place {
                 Place::Before => "before",
                 Place::Behind => "behind",
                 Place::Beside => "beside",
             };
-            (opening.at.0, place, rectangle(opening.area))
+            let Area {
+                x,
+                y,
+                width,
+                height,
+            } = opening.area;
+            (opening.at.0, place, Rectangle([x, y, width, height]))
         });
-        let spots = canvas.spots.into_iter();
-        Sheet {
-            svg: canvas.svg,
-            area: rectangle(canvas.area),
-            spots: spots
-                .map(|spot| (spot.id.0, rectangle(spot.area)))
-                .collect(),
+        RungDrawing {
+            svg: drawn.svg.clone(),
             places: places.collect(),
         }
     }

@@ -330,15 +330,23 @@ export interface Field {
   readonly kind: "point" | "value" | "number" | "name";
 }
 
+/** A rung of a drawing where it stands: its upper edge, and how many nets and steps there are before its own. */
+export interface RungDrawn {
+  readonly id: number;
+  readonly top: number;
+  readonly nets: number;
+  readonly first: number;
+  /** Null where it is as it was. Places count from its upper edge. */
+  readonly drawn: { readonly svg: string; readonly places: readonly (readonly [number, Place, Rectangle])[] } | null;
+}
+
 /** What a page shows of a drawing. */
 export interface Drawn {
   /** Null where it is as it was. */
   readonly sheet: {
-    readonly svg: string;
-    readonly area: Rectangle;
-    /** Where rungs and elements are, in units of the drawing. */
-    readonly spots: readonly (readonly [number, Rectangle])[];
-    readonly places: readonly (readonly [number, Place, Rectangle])[];
+    readonly width: number;
+    readonly height: number;
+    readonly rungs: readonly RungDrawn[];
   } | null;
   readonly cursor: readonly [number, number];
   readonly selected: readonly number[];
