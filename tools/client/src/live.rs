@@ -43,8 +43,8 @@ const SLOW: [Slow; 7] = [
     Slow::Registers,
 ];
 
-/// Time from the beginning of a round to that of the next: 22 a second, where the line is fast enough.
-const PERIOD: Duration = Duration::from_millis(45);
+/// Time from the beginning of a round to that of the next: 27 a second, where the line is fast enough.
+const PERIOD: Duration = Duration::from_millis(36);
 /// Time between two rounds at least: the line is for orders too.
 const PAUSE: Duration = Duration::from_millis(5);
 

@@ -9,11 +9,10 @@ use super::undone::Undone;
 use super::watched::Watched;
 use crate::program::source;
 use crate::words::{self, Both, both, told};
-use unoclp_client::diagnostics;
 use unoclp_client::map::{Command, State, holding};
 use unoclp_client::point;
 use unoclp_client::settings::Settings;
-use unoclp_client::upload::{Broken, Pass, Progress, go_on, needs, stop, upload};
+use unoclp_client::upload::{Broken, Pass, Progress, go_on, needs, stop, upload_program};
 use unoclp_client::watch::{Side, Wish};
 use unoclp_client::{AT_A_LINE, Client, Failure};
 use unoclp_lang::no_such_point;
@@ -97,7 +96,6 @@ async fn put(
         let why = both(|lang| not_sent(source, lang).unwrap_or_default());
         return Err(Undone::Told(why));
     }
-    let sent = diagnostics::Kept::of(source.program());
     let needs = needs(source.program());
     let before = stop(client).await?;
     if before.program.version < needs {
@@ -115,7 +113,7 @@ async fn put(
             Progress::Storing => News::Storing { order: number },
         });
     };
-    let kept = upload(client, &source.code, sent, &mut show).await;
+    let kept = upload_program(client, source.program(), &source.code, &mut show).await;
     let kept = kept.map_err(|broken| both(|lang| words::broken(lang, &broken)))?;
     desk.tell(News::Stored(Kept::from(kept)));
     desk.watched.replace(Some(Watched::new(text)?));
