@@ -57,7 +57,9 @@ impl<'l> Drawing<'l> {
         let rungs = rungs.into_iter();
         Drawing {
             ladder,
-            rungs: rungs.map(|(rung, laid)| laid.picture(rung, width)).collect(),
+            rungs: rungs
+                .map(|(rung, laid)| laid.picture(rung, width))
+                .collect(),
             width: width + 2,
             limit: style.limit(),
         }

@@ -3,8 +3,8 @@
 use crate::Element;
 use crate::build::Builder;
 use crate::power::{Feed, Net, Nets};
-use std::ops::Range;
 use crate::tree::{Node, Origin, Series, Start};
+use std::ops::Range;
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Class, Opcode};
 

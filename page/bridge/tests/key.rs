@@ -102,7 +102,12 @@ fn a_contact_more_moves_the_rungs_below_it() {
     let mut boards = drawing();
     let places = |view: &Value| {
         let rungs = view["sheet"]["rungs"].as_array().unwrap().iter();
-        let place = |rung: &Value| (rung["nets"].as_u64().unwrap(), rung["top"].as_f64().unwrap());
+        let place = |rung: &Value| {
+            (
+                rung["nets"].as_u64().unwrap(),
+                rung["top"].as_f64().unwrap(),
+            )
+        };
         rungs.map(place).collect::<Vec<_>>()
     };
     let before = places(&edit(&mut boards, json!({ "do": "toggle" })));
@@ -112,5 +117,9 @@ fn a_contact_more_moves_the_rungs_below_it() {
     assert_eq!((drawn(&view), before[0]), (1, after[0]));
     let below = before.iter().zip(&after).skip(1);
     assert!(below.clone().count() == RUNGS - 1);
-    assert!(below.clone().all(|(one, other)| one.0 < other.0 && one.1 < other.1));
+    assert!(
+        below
+            .clone()
+            .all(|(one, other)| one.0 < other.0 && one.1 < other.1)
+    );
 }

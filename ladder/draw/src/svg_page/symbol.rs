@@ -90,10 +90,7 @@ impl Page<'_> {
                 if *inverted {
                     let behind = left + 5.0 * COLUMN;
                     self.inline("NOT", (left, behind), y, nets);
-                    self.wire(
-                        format!("M{behind} {y}H{}", start - 2.0),
-                        Some(element.net),
-                    );
+                    self.wire(format!("M{behind} {y}H{}", start - 2.0), Some(element.net));
                 }
                 self.text(start, y + 4.5, text, &Font::NOTE);
             }

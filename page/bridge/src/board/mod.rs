@@ -24,12 +24,12 @@ mod watched;
 
 pub use order::Order;
 
+use crate::answer::answer;
 use crate::clock::{NEVER, time, whole_ms};
 use crate::words::{self, Both, No, both};
 use core::Core;
 use desk::Desk;
 use news::News;
-use serde::Serialize;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use unoclp_client::{Conversation, Line, Next, Parity, Patience};
@@ -51,14 +51,15 @@ pub struct Open {
     pub parity: Option<u16>,
 }
 
-/// A step of a conversation.
-#[derive(Debug, Serialize)]
-pub struct Step {
-    /// To be sent now.
-    send: Vec<u8>,
-    /// The next step comes at this time, in whole ms, or as soon as bytes have come or something is ordered.
-    until: u64,
-    news: Vec<News>,
+answer! {
+    /// A step of a conversation.
+    pub struct Step as "Step" {
+        /// To be sent now.
+        send: Vec<u8>,
+        /// The next step comes at this time, in whole ms, or as soon as bytes have come or something is ordered.
+        until: u64,
+        news: Vec<News>,
+    }
 }
 
 struct Session {

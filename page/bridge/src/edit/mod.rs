@@ -14,17 +14,18 @@ use crate::draw::Speak;
 use crate::given::Given;
 use crate::program;
 use crate::words::{Both, No, both};
+pub use act::Act;
 use serde_json::Value;
 use shown::Shown;
 use unoclp_core::Board;
-use unoclp_draw::edit::{Canvas, Cursor, Direction, Document, Drawn, Editor, Emitted, Operation, Refusal};
+use unoclp_draw::edit::{
+    Canvas, Cursor, Direction, Document, Drawn, Editor, Emitted, Operation, Refusal,
+};
 use unoclp_edit::{Amiss, ask, find, insertion, naming, operations, unfinished};
 use unoclp_program::drawn::{self, Lost, WriteAs};
 use unoclp_program::{Lang, Written};
 use unoclp_workspace::{Analysis, Workspace};
-use view::View;
-
-pub use act::Act;
+pub use view::View;
 
 /// The drawing that is open.
 pub struct Drawing {

@@ -1,6 +1,7 @@
 //! What a page shows of a drawing.
 
 use super::shown::Shown;
+use crate::answer::answer;
 use crate::words::{Both, both};
 use serde::{Serialize, Serializer};
 use unoclp_draw::Area;
@@ -28,75 +29,87 @@ impl Serialize for Rectangle {
     }
 }
 
-/// What a page shows.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct View {
-    /// Left out where it is as it was.
-    sheet: Option<Sheet>,
-    cursor: [u32; 2],
-    /// All that is selected.
-    selected: Vec<u32>,
-    at: At,
-    /// How many changes can be undone, and done again.
-    undo: usize,
-    redo: usize,
-    mistakes: Vec<Told>,
-    /// Whether the drawing is a program.
-    is_program: bool,
-    /// The version of its text, and that; none where it is not a program.
-    version: Option<u32>,
-    text: Option<String>,
-    /// What a change loses of the text that a person has written; none: nothing.
-    loses: Option<Both>,
-    title: String,
-    table: Vec<Named>,
-    /// Whether there is something to paste.
-    copied: bool,
+#[cfg(test)]
+impl crate::answer::Typed for Rectangle {
+    fn name() -> String {
+        "Rectangle".to_owned()
+    }
 }
 
-/// The drawing.
-#[derive(Debug, Serialize)]
-pub struct Sheet {
-    width: f32,
-    height: f32,
-    rungs: Vec<Rung>,
+answer! {
+    /// What a page shows.
+    pub struct View as "Drawn" {
+        /// Left out where it is as it was.
+        sheet: Option<Sheet>,
+        cursor: [u32; 2],
+        /// All that is selected.
+        selected: Vec<u32>,
+        at: At,
+        /// How many changes can be undone, and done again.
+        undo: usize,
+        redo: usize,
+        mistakes: Vec<Told>,
+        /// Whether the drawing is a program.
+        is_program: bool,
+        /// The version of its text, and that; none where it is not a program.
+        version: Option<u32>,
+        text: Option<String>,
+        /// What a change loses of the text that a person has written; none: nothing.
+        loses: Option<Both>,
+        title: String,
+        table: Vec<Named>,
+        /// Whether there is something to paste.
+        copied: bool,
+    }
 }
 
-/// A rung where it stands: its upper edge, and how many nets and steps there are before its own.
-#[derive(Debug, Serialize)]
-struct Rung {
-    id: u32,
-    top: f32,
-    nets: u32,
-    first: usize,
-    /// Left out where it is as it was.
-    drawn: Option<RungDrawing>,
+answer! {
+    /// The drawing.
+    pub struct Sheet as "DrawnSheet" {
+        width: f32,
+        height: f32,
+        rungs: Vec<Rung>,
+    }
 }
 
-/// A rung wherever it stands.
-#[derive(Debug, Serialize)]
-struct RungDrawing {
-    svg: String,
-    places: Vec<(u32, &'static str, Rectangle)>,
+answer! {
+    /// A rung where it stands: its upper edge, and how many nets and steps there are before its own.
+    struct Rung as "RungDrawn" {
+        id: u32,
+        top: f32,
+        nets: u32,
+        first: usize,
+        /// Left out where it is as it was.
+        drawn: Option<RungDrawing>,
+    }
 }
 
-/// A mistake.
-#[derive(Debug, Serialize)]
-struct Told {
-    at: Option<u32>,
-    /// Its rung, from 1.
-    rung: usize,
-    error: bool,
-    message: Both,
+answer! {
+    /// A rung wherever it stands.
+    struct RungDrawing as "RungDrawing" {
+        svg: String,
+        places: Vec<(u32, &'static str, Rectangle)> => "readonly (readonly [number, Place, Rectangle])[]",
+    }
 }
 
-/// A row of the symbol table.
-#[derive(Debug, Serialize)]
-struct Named {
-    point: String,
-    name: String,
-    comment: String,
+answer! {
+    /// A mistake.
+    struct Told as "Mistake" {
+        at: Option<u32>,
+        /// Its rung, from 1.
+        rung: usize,
+        error: bool,
+        message: Both,
+    }
+}
+
+answer! {
+    /// A row of the symbol table.
+    struct Named as "Named" {
+        point: String,
+        name: String,
+        comment: String,
+    }
 }
 
 impl View {

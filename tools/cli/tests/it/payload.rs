@@ -25,7 +25,9 @@ fn programs() -> Vec<Source> {
     let read = |path: &PathBuf| {
         let name = path.to_str()?.to_owned();
         let source = Written::new(name, fs::read(path).ok()?, Board::UNO).check(None);
-        source.ok().filter(|source| not_sent(source, unoclp_program::Lang::En).is_none())
+        source
+            .ok()
+            .filter(|source| not_sent(source, unoclp_program::Lang::En).is_none())
     };
     found.iter().filter_map(read).collect()
 }
@@ -33,8 +35,13 @@ fn programs() -> Vec<Source> {
 /// Bytes that the codes of a program take, each with the end of its line.
 fn own(source: &Source) -> usize {
     let text = String::from_utf8_lossy(&source.code);
-    let codes = text.lines().map(|line| line.split('/').next().unwrap_or_default().trim());
-    codes.filter(|code| !code.is_empty()).map(|code| code.len() + 1).sum()
+    let codes = text
+        .lines()
+        .map(|line| line.split('/').next().unwrap_or_default().trim());
+    codes
+        .filter(|code| !code.is_empty())
+        .map(|code| code.len() + 1)
+        .sum()
 }
 
 #[test]

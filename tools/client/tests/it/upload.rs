@@ -75,7 +75,10 @@ fn of_a_program_the_codes_are_sent() {
     let jumps = "/ about\n0\n\n766601 / again\n827301\n/ lamp\n877901\n74778001\n/ end";
     for (text, sent) in [
         (plain.to_owned(), "0\n787600\n827301\n877901\n"),
-        (jumps.to_owned(), "\n0\n\n766601\n827301\n\n877901\n74778001\n"),
+        (
+            jumps.to_owned(),
+            "\n0\n\n766601\n827301\n\n877901\n74778001\n",
+        ),
     ] {
         let text = text.as_str();
         let codes = program(text, |program| Codes::of(program, text.as_bytes()));

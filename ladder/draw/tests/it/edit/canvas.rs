@@ -125,9 +125,7 @@ fn openings_do_not_cover_each_other() {
             assert!(!overlap(one.area, other.area), "{one:?} {other:?}");
         }
     }
-    let empty = places
-        .iter()
-        .filter(|opening| opening.area.width > 100.0);
+    let empty = places.iter().filter(|opening| opening.area.width > 100.0);
     assert!(
         empty.count() >= 2,
         "the empty rungs are openings as a whole"
