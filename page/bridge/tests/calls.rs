@@ -618,7 +618,10 @@ fn each_element_of_the_palette_can_be_inserted() {
         let (view, _) = drawn("", &act);
         assert_eq!(view["undo"], 1, "{item}");
         assert!(
-            view["sheet"]["svg"].as_str().unwrap().contains("data-id"),
+            view["sheet"]["rungs"][0]["drawn"]["svg"]
+                .as_str()
+                .unwrap()
+                .contains("data-id"),
             "{item}"
         );
         seen += 1;
