@@ -20,6 +20,15 @@ pub struct Parts {
     pub registers: bool,
 }
 
+impl Parts {
+    /// All of it.
+    pub const ALL: Parts = Parts {
+        markers: true,
+        analogue: true,
+        registers: true,
+    };
+}
+
 /// What is read in turn. What a person may just have changed comes first.
 #[derive(Clone, Copy)]
 enum Slow {
