@@ -69,6 +69,21 @@ struct Of {
     begins_at_rail: bool,
 }
 
+/// A rung that is to stand on a sheet.
+struct Planned<'l> {
+    of: Of,
+    shown: &'l crate::Rung,
+    picture: Picture,
+}
+
+/// How far it is.
+enum Picture {
+    /// It was drawn before, in columns that may be others.
+    Known(Arc<RungDrawing>),
+    /// It is laid out, and not yet as wide as the others.
+    Laid(Laid),
+}
+
 /// Where something is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spot {
@@ -122,23 +137,26 @@ impl Drawn {
         let rungs = (1..).zip(rungs).map(|(number, (rung, shown))| {
             let of = Of::new(rung, shown, heading(rung, title(number), document));
             let known = known.get(&rung.id).filter(|strip| strip.drawn.of == of);
-            let known = known.map(|strip| strip.drawn.clone());
-            (of, shown, known.ok_or_else(|| lay(shown)))
+            let picture = match known {
+                Some(strip) => Picture::Known(strip.drawn.clone()),
+                None => Picture::Laid(lay(shown)),
+            };
+            Planned { of, shown, picture }
         });
-        let rungs: Vec<(Of, &crate::Rung, Result<Arc<RungDrawing>, Laid>)> = rungs.collect();
-        let widths = rungs.iter().map(|(.., known)| match known {
-            Ok(drawn) => drawn.takes,
-            Err(laid) => laid.width,
+        let rungs: Vec<Planned<'_>> = rungs.collect();
+        let widths = rungs.iter().map(|rung| match &rung.picture {
+            Picture::Known(drawn) => drawn.takes,
+            Picture::Laid(laid) => laid.width,
         });
         let between = Laid::between_rails(widths);
         let fits = before.is_some_and(|before| before.drawn_with.1 == between);
         let draw = |of, shown, laid| Arc::new(self.drawing(of, shown, laid, between));
-        let strips = rungs.into_iter().map(|(of, shown, known)| {
+        let strips = rungs.into_iter().map(|Planned { of, shown, picture }| {
             let (id, first) = (of.rung.id, shown.first);
-            let (drawn, is_new) = match known {
-                Ok(drawn) if fits => (drawn, false),
-                Ok(_) => (draw(of, shown, lay(shown)), true),
-                Err(laid) => (draw(of, shown, laid), true),
+            let (drawn, is_new) = match picture {
+                Picture::Known(drawn) if fits => (drawn, false),
+                Picture::Known(_) => (draw(of, shown, lay(shown)), true),
+                Picture::Laid(laid) => (draw(of, shown, laid), true),
             };
             Strip {
                 id,

@@ -74,7 +74,7 @@ pub fn to_screen(
             .set("data-rung", index + 1)
             .set("data-nets", rung.nets)
             .set("data-first", rung.first)
-            .set("transform", format!("translate(0 {top})"));
+            .set("transform", format!("translate(0,{top})"));
         if let Some((from, to)) = map.lines(rung.first, rung.steps) {
             group = group.set("data-lines", format!("{from}-{to}"));
         }

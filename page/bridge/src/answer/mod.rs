@@ -67,13 +67,14 @@ macro_rules! spoken {
             }
 
             fn declare(all: &mut $crate::answer::Types) {
-                use $crate::answer::{Row, Types, Typed};
+                use $crate::answer::Row;
+                use $crate::answer::Typed;
                 let variants = vec![$({
                     let whole: Option<String> = None$(.or(Some(<$whole as Typed>::name())))?;
                     let fields: Vec<Row> = vec![$($(
                         Row::new(stringify!($field), "", <$type as Typed>::name())
                     ),*)?];
-                    Types::variant($tag, stringify!($variant), concat!("", $($doc),*), whole, &fields)
+                    $crate::answer::Types::variant($tag, stringify!($variant), concat!("", $($doc),*), whole, &fields)
                 }),*];
                 if all.either($typed, concat!($($about),*), &variants) {
                     $($(<$whole as Typed>::declare(all);)? $($(<$type as Typed>::declare(all);)*)?)*
@@ -140,7 +141,8 @@ macro_rules! declared {
             }
 
             fn declare(all: &mut $crate::answer::Types) {
-                use $crate::answer::{Row, Typed};
+                use $crate::answer::Row;
+                use $crate::answer::Typed;
                 let rows = [$({
                     let known: Option<&str> = None$(.or(Some($known)))?;
                     let name = known.map_or_else(<$type as Typed>::name, str::to_owned);

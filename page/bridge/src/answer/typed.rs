@@ -72,7 +72,7 @@ impl<T: Typed> Typed for Vec<T> {
 
 impl<T: Typed, const N: usize> Typed for [T; N] {
     fn name() -> String {
-        tuple(&[const { () }; N].map(|()| T::name()))
+        tuple(&vec![T::name(); N])
     }
 
     fn declare(all: &mut Types) {
