@@ -16,14 +16,6 @@ const lab = dirname(fileURLToPath(import.meta.url));
 const target = join(lab, "../../target/lab");
 
 const browser = { platform: "browser", target: "es2022", minify: true, mainFields: ["module", "main"], outExtension: { ".js": ".js" } };
-/** Spares the first view the syntax trees: src/page/untreed.ts says how. */
-const untreed = {
-  name: "untreed",
-  setup({ onResolve }) {
-    const path = join(lab, "src/page/untreed.ts");
-    onResolve({ filter: /^@(codemirror\/language|lezer\/common)$/ }, ({ importer }) => (/@codemirror.commands/.test(importer) ? { path } : undefined));
-  },
-};
 const parts = {
   page: {
     ...browser,
@@ -36,7 +28,6 @@ const parts = {
     splitting: true,
     chunkNames: "part-[hash]",
     loader: { ".css": "text", ".il": "text" },
-    plugins: [untreed],
     around,
   },
   bench: { ...node, entryPoints: below(lab, "test/bench", ".ts") },

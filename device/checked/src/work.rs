@@ -15,10 +15,12 @@ pub struct Work {
     pub emissions: u64,
     /// A ladder was laid out.
     pub drawings: u64,
+    /// A rung of one was laid out.
+    pub rungs: u64,
 }
 
 thread_local! {
-    static DONE: Cell<Work> = const { Cell::new(Work { compiles: 0, passes: 0, emissions: 0, drawings: 0 }) };
+    static DONE: Cell<Work> = const { Cell::new(Work { compiles: 0, passes: 0, emissions: 0, drawings: 0, rungs: 0 }) };
 }
 
 impl Work {
@@ -35,6 +37,7 @@ impl Work {
             passes: now.passes - before.passes,
             emissions: now.emissions - before.emissions,
             drawings: now.drawings - before.drawings,
+            rungs: now.rungs - before.rungs,
         }
     }
 

@@ -68,8 +68,8 @@ fn canvas(bencher: Bencher<'_, '_>) {
     let title = |number: usize| number.to_string();
     bencher.bench_local(|| {
         Drawn::of(black_box(&document))
-            .canvas(&document, 80, &title, "")
-            .svg
+            .canvas(&document, 80, &title, None)
+            .rungs
             .len()
     });
 }

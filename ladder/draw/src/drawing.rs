@@ -4,7 +4,7 @@ use crate::block::{Block, Cell};
 use crate::face::Face;
 use crate::power::Power;
 use crate::wrap::Wrap;
-use crate::{Element, Ladder, Names};
+use crate::{Element, Ladder, Names, Rung};
 use std::fmt;
 use unoclp_checked::Work;
 
@@ -51,46 +51,78 @@ impl Ladder {
 impl<'l> Drawing<'l> {
     fn new(ladder: &'l Ladder, style: &Style<'_>) -> Drawing<'l> {
         Work::note(|work| work.drawings += 1);
-        let face = |element: &Element| {
-            let live = element.steps.last().and_then(|&step| (style.live)(step));
-            Face::new(element, style.names, live)
-        };
-        let faces: Vec<Face> = ladder.elements.iter().map(face).collect();
-        let limit = style.width.max(NARROWEST);
-        let wrap = Wrap {
-            ladder,
-            faces: &faces,
-            room: limit - 2,
-        };
-        let mut rungs = Vec::new();
-        for rung in &ladder.rungs {
-            let lines = wrap.lines(&rung.series, rung.rail);
-            let blocks: Vec<Block> = lines.iter().map(|line| wrap.layout(line)).collect();
-            rungs.push((rung, blocks));
-        }
-        let widths = rungs.iter().flat_map(|(_, blocks)| blocks);
-        let width = widths.map(|block| block.width).max().unwrap_or(0);
-        // Even small programs get room between their contacts and coils.
-        let width = width.max(NARROWEST - 2);
-        let rungs = rungs.into_iter().map(|(rung, blocks)| {
-            let axis = blocks.first().map_or(0, |block| block.axis);
-            let rows = blocks.into_iter().flat_map(|block| block.rows);
-            let rows = rows
-                .map(|row| between_rails(row, width, rung.rail))
-                .collect();
-            Picture { rows, axis }
-        });
+        let lay = |rung| (rung, Laid::new(ladder, rung, style));
+        let rungs: Vec<(&Rung, Laid)> = ladder.rungs.iter().map(lay).collect();
+        let width = Laid::between_rails(rungs.iter().map(|(_, laid)| laid.width));
+        let rungs = rungs.into_iter();
         Drawing {
             ladder,
-            rungs: rungs.collect(),
+            rungs: rungs
+                .map(|(rung, laid)| laid.picture(rung, width))
+                .collect(),
             width: width + 2,
-            limit,
+            limit: style.limit(),
         }
     }
 
     /// The ladder that is drawn.
     pub fn ladder(&self) -> &'l Ladder {
         self.ladder
+    }
+}
+
+impl Style<'_> {
+    /// The columns that a drawing may take.
+    fn limit(&self) -> usize {
+        self.width.max(NARROWEST)
+    }
+}
+
+/// A rung as its lines stand one below the other, before it is as wide as the others.
+pub(crate) struct Laid {
+    blocks: Vec<Block>,
+    /// The columns that it takes between the rails.
+    pub(crate) width: usize,
+}
+
+impl Laid {
+    pub(crate) fn new(ladder: &Ladder, rung: &Rung, style: &Style<'_>) -> Laid {
+        Work::note(|work| work.rungs += 1);
+        let face = |element: &Element| {
+            let live = element.steps.last().and_then(|&step| (style.live)(step));
+            Face::new(element, style.names, live)
+        };
+        let elements = ladder.elements.get(rung.elements.clone());
+        let faces: Vec<Face> = elements.into_iter().flatten().map(face).collect();
+        let wrap = Wrap {
+            ladder,
+            faces: (rung.elements.start, &faces),
+            room: style.limit() - 2,
+        };
+        let lines = wrap.lines(&rung.series, rung.rail);
+        let blocks: Vec<Block> = lines.iter().map(|line| wrap.layout(line)).collect();
+        let width = blocks.iter().map(|block| block.width).max();
+        Laid {
+            blocks,
+            width: width.unwrap_or(0),
+        }
+    }
+
+    /// The columns between the rails of a drawing whose rungs take so many: even a small program has room between its contacts
+    /// and coils.
+    pub(crate) fn between_rails(widths: impl Iterator<Item = usize>) -> usize {
+        widths.max().unwrap_or(0).max(NARROWEST - 2)
+    }
+
+    /// The rung in so many columns between the rails.
+    pub(crate) fn picture(self, rung: &Rung, width: usize) -> Picture {
+        let axis = self.blocks.first().map_or(0, |block| block.axis);
+        let rows = self.blocks.into_iter().flat_map(|block| block.rows);
+        let rows = rows.map(|row| between_rails(row, width, rung.rail));
+        Picture {
+            rows: rows.collect(),
+            axis,
+        }
     }
 }
 

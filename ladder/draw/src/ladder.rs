@@ -4,6 +4,7 @@ use crate::Element;
 use crate::build::Builder;
 use crate::power::{Feed, Net, Nets};
 use crate::tree::{Node, Origin, Series, Start};
+use std::ops::Range;
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Class, Opcode};
 
@@ -29,6 +30,12 @@ pub struct Rung {
     pub labels: Vec<u8>,
     /// The ELS or END at its head.
     pub part: Option<Opcode>,
+    /// The nets before its own, without that of the left rail.
+    pub nets: u32,
+    /// Its elements, by their place among all.
+    pub(crate) elements: Range<usize>,
+    /// The timers before it, and with its own.
+    pub(crate) timers: Range<u8>,
     /// The net of its left rail.
     pub(crate) rail: Net,
     /// The steps that begin it: its code and its labels.
@@ -70,6 +77,7 @@ impl Ladder {
         let (mut heads, mut labels) = (Vec::new(), Vec::new());
         let mut part = None;
         let mut rail = Nets::RAIL;
+        let (nets, elements, timer) = (self.nets.own(), self.elements.len(), *timers);
         let mut builder = Builder::new(&mut self.elements);
         for (step, instruction) in (first..).zip(steps) {
             let class = instruction.opcode.class();
@@ -94,6 +102,9 @@ impl Ladder {
             steps: steps.len(),
             labels,
             part,
+            nets,
+            elements: elements..self.elements.len(),
+            timers: timer..*timers,
             rail,
             heads,
             series,
@@ -138,6 +149,13 @@ impl Ladder {
             });
         }
         name
+    }
+}
+
+impl Rung {
+    /// The number of a net among the rung's own, from 1; that of the left rail is 0 in all of them.
+    pub(crate) fn net(&self, net: Net) -> u32 {
+        net.number().saturating_sub(self.nets)
     }
 }
 

@@ -97,7 +97,7 @@ impl Wrap<'_> {
 
     /// The symbol of an element, its name above and its notes below.
     fn symbol(&self, index: usize, before: Net) -> Block {
-        let Some(face) = self.faces.get(index) else {
+        let Some(face) = self.face(index) else {
             return Block::default();
         };
         let net = self.ladder.elements[index].net;

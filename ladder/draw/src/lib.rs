@@ -62,8 +62,7 @@ pub use element::{Element, Symbol};
 pub use ladder::{Ladder, Rung};
 pub use listing::{Title, listing};
 pub use power::{Net, Nets, Power};
-pub use svg_page::{Area, Labels, Paper, Report, Sheet};
-pub use svg_page::{to_report, to_screen, to_sheet, to_svg};
+pub use svg_page::{Area, Paper, Report, to_report, to_screen, to_svg};
 pub use words::picture;
 
 use std::collections::BTreeMap;

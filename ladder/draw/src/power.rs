@@ -1,7 +1,7 @@
 //! Which wires carry power: each is a net, whose state follows from acc after the steps of a scan.
 
 /// A net of a ladder: all wires of it carry power together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Net(u32);
 
 impl Net {
@@ -39,6 +39,11 @@ impl Nets {
     pub(crate) fn add(&mut self, source: Feed) -> Net {
         self.0.push(source);
         Net(self.0.len() as u32 - 1)
+    }
+
+    /// How many there are beside that of the rail.
+    pub(crate) fn own(&self) -> u32 {
+        self.0.len() as u32 - 1
     }
 
     /// Which nets carry power after a scan: `flow` is acc after each step of the program, none for steps

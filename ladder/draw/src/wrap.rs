@@ -26,10 +26,11 @@ pub(crate) struct Line {
     pub(crate) series: Series,
 }
 
-/// Breaks the rungs of a ladder into lines.
+/// Breaks a rung of a ladder into lines.
 pub(crate) struct Wrap<'w> {
     pub(crate) ladder: &'w Ladder,
-    pub(crate) faces: &'w [Face],
+    /// The faces of the elements from this one on.
+    pub(crate) faces: (usize, &'w [Face]),
     /// The columns that a line may take.
     pub(crate) room: usize,
 }
@@ -245,8 +246,13 @@ impl Wrap<'_> {
         }
     }
 
+    pub(crate) fn face(&self, element: usize) -> Option<&Face> {
+        let (first, faces) = self.faces;
+        faces.get(element.checked_sub(first)?)
+    }
+
     fn face_width(&self, element: usize) -> usize {
-        self.faces.get(element).map_or(0, |face| face.width)
+        self.face(element).map_or(0, |face| face.width)
     }
 
     fn series_width(&self, series: &Series) -> usize {

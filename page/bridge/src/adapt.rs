@@ -1,14 +1,15 @@
 //! A text of another PLC with its points on this board, for a page.
 
-use serde::Serialize;
+use crate::answer::answer;
 use unoclp_program::Written;
 
-/// A text with free points in the place of those that its board lacks.
-#[derive(Debug, Serialize)]
-pub struct Adapted {
-    text: String,
-    /// Those for which the board has no place left, as the text writes them.
-    left: Vec<String>,
+answer! {
+    /// A text with free points in the place of those that its board lacks.
+    pub struct Adapted as "Adapted" {
+        text: String,
+        /// Those for which the board has no place left, as the text writes them.
+        left: Vec<String>,
+    }
 }
 
 /// The text with its points on its board; none in a language whose points are names of its own.

@@ -1,6 +1,6 @@
 //! The requests of a page, answered.
 
-use crate::ask::{First, MORE};
+use crate::ask::{Answer, First, MORE};
 use crate::board::{Boards, Open, Order};
 use crate::draw;
 use crate::facts::Facts;
@@ -16,11 +16,11 @@ use crate::words::No;
 pub fn answer(mut given: Given, boards: &mut Boards) -> Result<String, No> {
     let name = given.text("ask")?;
     if let Some(ask) = First::read(&name, &mut given)? {
-        return first(ask, boards);
+        return Ok(json(first(ask, boards)?));
     }
     #[cfg(feature = "full")]
     if let Some(ask) = crate::ask::More::read(&name, &mut given)? {
-        return crate::more::answer(ask, boards);
+        return Ok(json(crate::more::answer(ask, boards)?));
     }
     Err(match MORE.contains(&name.as_str()) {
         true => No::More,
@@ -28,19 +28,21 @@ pub fn answer(mut given: Given, boards: &mut Boards) -> Result<String, No> {
     })
 }
 
-fn first(ask: First, boards: &mut Boards) -> Result<String, No> {
+fn first(ask: First, boards: &mut Boards) -> Result<Answer, No> {
     let workspace = &mut boards.workspace;
     Ok(match ask {
-        First::Board { board } => json(Facts::of(board)),
+        First::Board { board } => Answer::Board(Facts::of(board)),
         First::Text { name, text, board } => {
-            json(workspace.set_text(program::written(name, text, board)?).0)
+            Answer::Text(workspace.set_text(program::written(name, text, board)?).0)
         }
-        First::Check { version } => json(program::check(&*known(version, workspace)?)?),
+        First::Check { version } => {
+            Answer::Check(Box::new(program::check(&*known(version, workspace)?)?))
+        }
         First::Ladder {
             version,
             width,
             speak,
-        } => json(draw::ladder(&*known(version, workspace)?, width.0, speak)?),
+        } => Answer::Ladder(draw::ladder(&*known(version, workspace)?, width.0, speak)?),
         First::Open {
             version,
             reset,
@@ -59,17 +61,17 @@ fn first(ask: First, boards: &mut Boards) -> Result<String, No> {
                 rate,
                 parity,
             };
-            json(boards.open(open)?)
+            Answer::Open(boards.open(open)?)
         }
-        First::Step { board, now, came } => json(boards.step(board, now, &came)?),
+        First::Step { board, now, came } => Answer::Step(boards.step(board, now, &came)?),
         First::Order { board, order } => {
             let order = Order::of(order, workspace)?;
-            json(boards.order(board, order)?)
+            Answer::Order(boards.order(board, order)?)
         }
-        First::Lose { board, why } => json(boards.lose(board, why)?),
+        First::Lose { board, why } => Answer::Lose(boards.lose(board, why)?),
         First::Close { board } => {
             boards.close(board);
-            json(())
+            Answer::Close(())
         }
     })
 }

@@ -1,11 +1,11 @@
 //! Ladders and lists of programs.
 
+use crate::answer::answer;
 use crate::given::Given;
 #[cfg(feature = "full")]
 use crate::given::wrong;
 use crate::program;
 use crate::words::{self, Both, No, both};
-use serde::Serialize;
 use unoclp_draw::{Style, to_screen};
 use unoclp_exercise::live::{Boxes, Flow};
 use unoclp_host_sim::engine::Machine;
@@ -83,18 +83,19 @@ impl As {
     }
 }
 
-/// A drawing of a page.
-#[derive(Debug, Serialize)]
-pub struct Drawn {
-    /// The element.
-    svg: String,
+answer! {
+    /// A drawing of a page.
+    pub struct LadderDrawn as "LadderDrawn" {
+        /// The element.
+        svg: String,
+    }
 }
 
 /// The ladder of a program, for a page that shows it live.
 ///
 /// # Errors
 /// Where there is no program.
-pub fn ladder(analysis: &Analysis, width: usize, speak: Speak) -> Result<Drawn, No> {
+pub fn ladder(analysis: &Analysis, width: usize, speak: Speak) -> Result<LadderDrawn, No> {
     let source = program::source(analysis)?;
     let (Some(ladder), Some(names)) = (analysis.ladder(), analysis.names()) else {
         return Err(both(words::faulty).into());
@@ -113,7 +114,7 @@ pub fn ladder(analysis: &Analysis, width: usize, speak: Speak) -> Result<Drawn, 
         &title(speak.into()),
         &source.name,
     );
-    Ok(Drawn { svg })
+    Ok(LadderDrawn { svg })
 }
 
 /// What its timers and counters are before the first scan: boxes are as wide as what they count may become.

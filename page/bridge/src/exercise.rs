@@ -1,8 +1,8 @@
 //! Exercises: what they ask of a student, and whether a program does it.
 
+use crate::answer::{answer, spoken};
 use crate::machine::plant;
 use crate::words::{self, Both, No, both};
-use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 use unoclp_core::Board;
@@ -16,47 +16,47 @@ use unoclp_plant::Plant;
 use unoclp_point::Address;
 use unoclp_program::{Lang, Source, WrittenIn, drawn};
 
-/// What an exercise says of itself.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Sheet {
-    kind: Kind,
-    /// The program that is to be written in another language.
-    given: Option<Given>,
-    /// The name of its machine's file, where it has one.
-    plant: Option<String>,
-    title: Both,
-    task: Option<Both>,
-    hints: Vec<Both>,
-    /// What is connected to the points.
-    names: BTreeMap<String, Both>,
-    /// The inputs, from 1, whose buttons are normally closed.
-    normally_closed: Vec<u8>,
-    /// A text in Instruction List that names what is connected, and has no instruction yet.
-    begin: Both,
-    cases: Vec<Told>,
+answer! {
+    /// What an exercise says of itself.
+    pub struct Sheet as "Sheet" {
+        kind: Kind,
+        /// The program that is to be written in another language.
+        given: Option<Given>,
+        /// The name of its machine's file, where it has one.
+        plant: Option<String>,
+        title: Both,
+        task: Option<Both>,
+        hints: Vec<Both>,
+        /// What is connected to the points.
+        names: BTreeMap<String, Both>,
+        /// The inputs, from 1, whose buttons are normally closed.
+        normally_closed: Vec<u8>,
+        /// A text in Instruction List that names what is connected, and has no instruction yet.
+        begin: Both,
+        cases: Vec<Told>,
+    }
 }
 
-/// What an exercise asks for.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "lowercase")]
-enum Kind {
-    /// A program.
-    Program,
-    /// The fault of a machine whose program is right.
-    Find,
-    /// The same program in another language.
-    Write,
+spoken! {
+    /// What an exercise asks for.
+    enum Kind as "ExerciseKind", word {
+        /// A program.
+        Program,
+        /// The fault of a machine whose program is right.
+        Find,
+        /// The same program in another language.
+        Write,
+    }
 }
 
-/// A program that is to be written in another language.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-struct Given {
-    text: String,
-    /// Its language, and the one to write it in, by the ends of the names of files.
-    language: &'static str,
-    answer_in: &'static str,
+answer! {
+    /// A program that is to be written in another language.
+    struct Given as "GivenProgram" {
+        text: String,
+        /// Its language, and the one to write it in, by the ends of the names of files.
+        language: &'static str => "LanguageName",
+        answer_in: &'static str => "LanguageName",
+    }
 }
 
 impl From<&scenario::Given> for Given {
@@ -70,63 +70,69 @@ impl From<&scenario::Given> for Given {
     }
 }
 
-/// What a student learns of a case before its turn.
-#[derive(Debug, Serialize)]
-struct Told {
-    title: Both,
-    hidden: bool,
+answer! {
+    /// What a student learns of a case before its turn.
+    struct Told as "Case" {
+        title: Both,
+        hidden: bool,
+    }
 }
 
-/// What came of a check.
-#[derive(Debug, Serialize)]
-pub struct Outcome {
-    passed: bool,
-    /// The cases in order, and whether each was passed.
-    cases: Vec<(Told, bool)>,
-    failing: Option<Failing>,
-    /// How the machine of the exercise fared, where it has one.
-    machine: Option<Fared>,
+answer! {
+    /// What came of a check.
+    pub struct Outcome as "Outcome" {
+        passed: bool,
+        /// The cases in order, and whether each was passed.
+        cases: Vec<(Told, bool)>,
+        failing: Option<Failing>,
+        /// How the machine of the exercise fared, where it has one.
+        machine: Option<Fared>,
+    }
 }
 
-/// How a machine fared with a program.
-#[derive(Debug, Serialize)]
-pub struct Fared {
-    passed: bool,
-    /// What went wrong first: when, and which rule.
-    why: Option<Both>,
-    /// When, ms after the first scan; none where the program did not run at all.
-    at: Option<u64>,
+answer! {
+    /// How a machine fared with a program.
+    pub struct Fared as "Fared" {
+        passed: bool,
+        /// What went wrong first: when, and which rule.
+        why: Option<Both>,
+        /// When, ms after the first scan; none where the program did not run at all.
+        at: Option<u64>,
+    }
 }
 
-/// The first case that was not passed.
-#[derive(Debug, Serialize)]
-struct Failing {
-    /// Its place among the cases, from 0.
-    case: usize,
-    /// None of a hidden case.
-    shown: Option<Shown>,
+answer! {
+    /// The first case that was not passed.
+    struct Failing as "Failing" {
+        /// Its place among the cases, from 0.
+        case: usize,
+        /// None of a hidden case.
+        shown: Option<Shown>,
+    }
 }
 
-/// What is shown of a case that was not passed.
-#[derive(Debug, Serialize)]
-struct Shown {
-    /// What was not as expected first, if it was a place.
-    unmet: Option<Unmet>,
-    /// Why it was not passed, in a line.
-    why: Both,
-    /// Its timing diagram.
-    svg: Both,
+answer! {
+    /// What is shown of a case that was not passed.
+    struct Shown as "Shown" {
+        /// What was not as expected first, if it was a place.
+        unmet: Option<Unmet>,
+        /// Why it was not passed, in a line.
+        why: Both,
+        /// Its timing diagram.
+        svg: Both,
+    }
 }
 
-/// A place that was not as expected for a while.
-#[derive(Debug, Serialize)]
-struct Unmet {
-    place: String,
-    expected: i32,
-    came: i32,
-    /// ms after the first scan.
-    from: u32,
-    to: u32,
+answer! {
+    /// A place that was not as expected for a while.
+    struct Unmet as "Unmet" {
+        place: String,
+        expected: i32,
+        came: i32,
+        /// ms after the first scan.
+        from: u32,
+        to: u32,
+    }
 }
 
 impl From<&Case> for Told {

@@ -2,54 +2,54 @@
 //!
 //! Owns how a request names a board, and what a page is told of one. Must not know what a program does with a point.
 
+use crate::answer::answer;
 use crate::given::Given;
 use crate::words::{self, Both, both};
-use serde::Serialize;
 use unoclp_core::Board;
 use unoclp_core::isa::{REGISTERS, RETENTIVE};
 
-/// What a board has.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Facts {
-    /// How a request names it.
-    id: &'static str,
-    /// What people call it.
-    name: &'static str,
-    /// How a request names each that there is.
-    all: [&'static str; Board::ALL.len()],
-    /// Whether a board can be flashed that has this; if not, its programs run on a PC alone.
-    firmware: bool,
-    /// Whether it has the instructions of REAL numbers.
-    real: bool,
-    /// Inputs 01 to this number.
-    inputs: u8,
-    /// Outputs 01 to this number.
-    outputs: u8,
-    /// Analogue inputs A 00 to below this number.
-    analogue: u8,
-    /// The outputs that can be PWM.
-    pwm: Vec<u8>,
-    /// An input and the analogue input on the same pin: a program has the one or the other.
-    shared: Vec<[u8; 2]>,
-    /// Markers M 01 to this number.
-    markers: u8,
-    /// The first and the last marker that keeps its state over a power cut.
-    retentive: [u8; 2],
-    /// Registers D 01 to this number.
-    registers: u8,
-    /// Registers D 01 to this number take no memory of a program.
-    near_registers: u8,
-    /// Counters C 01 to this number.
-    counters: u8,
-    /// Timers of a program.
-    timers: u8,
-    /// Labels 01 to this number.
-    labels: u8,
-    /// Bytes of a program's stored form.
-    stored: u16,
-    /// Bytes of its linked form and its data.
-    linked: u16,
+answer! {
+    /// What a board has.
+    pub struct Facts as "BoardFacts" {
+        /// How a request names it.
+        id: &'static str,
+        /// What people call it.
+        name: &'static str,
+        /// How a request names each that there is.
+        all: [&'static str; Board::ALL.len()],
+        /// Whether a board can be flashed that has this; if not, its programs run on a PC alone.
+        firmware: bool,
+        /// Whether it has the instructions of REAL numbers.
+        real: bool,
+        /// Inputs 01 to this number.
+        inputs: u8,
+        /// Outputs 01 to this number.
+        outputs: u8,
+        /// Analogue inputs A 00 to below this number.
+        analogue: u8,
+        /// The outputs that can be PWM.
+        pwm: Vec<u8>,
+        /// An input and the analogue input on the same pin: a program has the one or the other.
+        shared: Vec<[u8; 2]>,
+        /// Markers M 01 to this number.
+        markers: u8,
+        /// The first and the last marker that keeps its state over a power cut.
+        retentive: [u8; 2],
+        /// Registers D 01 to this number.
+        registers: u8,
+        /// Registers D 01 to this number take no memory of a program.
+        near_registers: u8,
+        /// Counters C 01 to this number.
+        counters: u8,
+        /// Timers of a program.
+        timers: u8,
+        /// Labels 01 to this number.
+        labels: u8,
+        /// Bytes of a program's stored form.
+        stored: u16,
+        /// Bytes of its linked form and its data.
+        linked: u16,
+    }
 }
 
 impl Facts {

@@ -1,30 +1,31 @@
 //! Firmware on its way to a board, through its boot loader.
 
+use crate::answer::answer;
 use crate::clock::{NEVER, time, whole_ms};
 use crate::words::{self, Both, both};
-use serde::Serialize;
 use unoclp_boot::{Image, Model, Next, Stage, Writer};
 
 /// The one that is written now; a page has one line.
 #[derive(Default)]
 pub struct Flash(Option<Writer>);
 
-/// A step of it.
-#[derive(Debug, Serialize)]
-pub struct Step {
-    /// First reset the board, and throw away what has come before.
-    reset: bool,
-    /// Then send this.
-    send: Vec<u8>,
-    /// The next step comes at this time, in whole ms, or as soon as bytes have come.
-    until: u64,
-    stage: &'static str,
-    /// So many requests of so many have been answered.
-    progress: [usize; 2],
-    /// Whether it is over.
-    over: bool,
-    /// Why the firmware is not on the board.
-    failure: Option<Both>,
+answer! {
+    /// A step of it.
+    pub struct Step as "FlashStep" {
+        /// First reset the board, and throw away what has come before.
+        reset: bool,
+        /// Then send this.
+        send: Vec<u8>,
+        /// The next step comes at this time, in whole ms, or as soon as bytes have come.
+        until: u64,
+        stage: &'static str => "\"meeting\" | \"writing\" | \"comparing\" | \"finishing\"",
+        /// So many requests of so many have been answered.
+        progress: [usize; 2],
+        /// Whether it is over.
+        over: bool,
+        /// Why the firmware is not on the board.
+        failure: Option<Both>,
+    }
 }
 
 impl Flash {

@@ -6,7 +6,8 @@
 //! A machine beside a board takes a step each simulated millisecond, too often for texts: [`unoclp_step`] has numbers alone,
 //! and [`Wires`] is where they lie. Tests call [`step`].
 //!
-//! - `ask`: which requests there are, and what each takes; `given`: how that is read
+//! - `ask`: which requests there are, what each takes, and what it is answered; `given`: how that is read; `answer`: the types of
+//!   answers, and what TypeScript calls them
 //! - `call`, `more`: how they are answered; `json`: how answers are written
 //! - `facts`: the board that a program is for, and what it has
 //! - `program`: a text as a person has written it, and what there is to show of it
@@ -29,6 +30,7 @@
 
 #[cfg(feature = "full")]
 mod adapt;
+mod answer;
 mod ask;
 mod board;
 mod call;

@@ -2,9 +2,9 @@
 //!
 //! Owns the one that a page has. Must not know which board it is wired to: its outputs come from outside, its inputs go there.
 
+use crate::answer::answer;
 use crate::words::{self, Both, both};
 use self_cell::self_cell;
-use serde::Serialize;
 use unoclp_core::{Board, Image, Inputs};
 use unoclp_exercise::find::{Hidden, Search};
 use unoclp_plant::{Broken, Change, Fault, Live, Outputs, Plant, Run, live, picture, read};
@@ -34,43 +34,43 @@ pub struct Machine {
     lang: Lang,
 }
 
-/// A machine as a page gets to know it.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Known {
-    title: Both,
-    about: Both,
-    svg: String,
-    /// What a person there can change.
-    hands: Vec<Hand>,
-    /// What people call its parts, and how the file names them.
-    parts: Vec<Both>,
-    names: Vec<String>,
-    /// How they can fail: the part, the fault, and what to call it.
-    faults: Vec<(usize, &'static str, Both)>,
-    /// What must never be, and what must come to be.
-    rules: Vec<Both>,
-    /// The inputs that it switches, the analogue inputs that it sets, the outputs that drive it.
-    uses: [Vec<u8>; 3],
-    /// Whether it is driven by PWM.
-    dims: bool,
+answer! {
+    /// A machine as a page gets to know it.
+    pub struct Known as "MachineFacts" {
+        title: Both,
+        about: Both,
+        svg: String,
+        /// What a person there can change.
+        hands: Vec<Hand>,
+        /// What people call its parts, and how the file names them.
+        parts: Vec<Both>,
+        names: Vec<String>,
+        /// How they can fail: the part, the fault, and what to call it.
+        faults: Vec<(usize, &'static str, Both)>,
+        /// What must never be, and what must come to be.
+        rules: Vec<Both>,
+        /// The inputs that it switches, the analogue inputs that it sets, the outputs that drive it.
+        uses: [Vec<u8>; 3],
+        /// Whether it is driven by PWM.
+        dims: bool,
+    }
 }
 
-/// What a person there can change of a part.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Hand {
-    part: usize,
-    value: usize,
-    /// The part's name, by which its symbol is found.
-    name: String,
-    label: Both,
-    /// What it is: `pressed`, `turned`.
-    what: &'static str,
-    /// Whether it goes back as soon as nobody holds it.
-    is_held: bool,
-    low: i32,
-    high: i32,
+answer! {
+    /// What a person there can change of a part.
+    pub struct Hand as "Hand" {
+        part: usize,
+        value: usize,
+        /// The part's name, by which its symbol is found.
+        name: String,
+        label: Both,
+        /// What it is: `pressed`, `turned`.
+        what: &'static str,
+        /// Whether it goes back as soon as nobody holds it.
+        is_held: bool,
+        low: i32,
+        high: i32,
+    }
 }
 
 /// What passes between a board and its machine besides levels: a page writes and reads it where it lies.
@@ -94,28 +94,30 @@ impl Default for Wires {
 /// A change of a picture: the element, its attribute or null for its text, and what that is now.
 pub type Shown = (String, Option<&'static str>, String);
 
-/// How far somebody is who looks for its fault.
-#[derive(Debug, Serialize)]
-pub struct Searched {
-    steps: u32,
-    tries: u32,
-    found: bool,
+answer! {
+    /// How far somebody is who looks for its fault.
+    pub struct Searched as "Searched" {
+        steps: u32,
+        tries: u32,
+        found: bool,
+    }
 }
 
-/// What has changed of it.
-#[derive(Debug, Serialize)]
-pub struct Look {
-    /// ms since it began.
-    at: u64,
-    changes: Vec<Shown>,
-    /// The rules that broke, by number, and when.
-    broken: Vec<(usize, u64)>,
-    /// How often each goal was met.
-    met: Vec<u32>,
-    /// What can be changed by hand, as it stands.
-    hands: Vec<i32>,
-    /// How far somebody is who looks for its fault, where that is the task.
-    search: Option<Searched>,
+answer! {
+    /// What has changed of it.
+    pub struct Look as "MachineLook" {
+        /// ms since it began.
+        at: u64,
+        changes: Vec<Shown>,
+        /// The rules that broke, by number, and when.
+        broken: Vec<(usize, u64)>,
+        /// How often each goal was met.
+        met: Vec<u32>,
+        /// What can be changed by hand, as it stands.
+        hands: Vec<i32>,
+        /// How far somebody is who looks for its fault, where that is the task.
+        search: Option<Searched>,
+    }
 }
 
 impl Machine {

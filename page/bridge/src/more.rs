@@ -1,10 +1,9 @@
 //! What takes the module that has everything, answered.
 
 use crate::adapt::adapt;
-use crate::ask::More;
+use crate::ask::{More, MoreAnswer as Answer};
 use crate::board::Boards;
 use crate::edit::{Act, Drawing};
-use crate::json::json;
 use crate::machine::{self, Machine};
 use crate::program::{known, source};
 use crate::words::{self, No, both};
@@ -15,11 +14,11 @@ use unoclp_workspace::Workspace;
 /// A trace has no more ms: ten minutes.
 const LONGEST_TRACE: u32 = 600_000;
 
-/// Answers an ask, in JSON.
+/// Answers an ask.
 ///
 /// # Errors
 /// Why there is no answer.
-pub fn answer(ask: More, boards: &mut Boards) -> Result<String, No> {
+pub fn answer(ask: More, boards: &mut Boards) -> Result<Answer, No> {
     let workspace = &mut boards.workspace;
     Ok(match ask {
         More::List {
@@ -29,9 +28,9 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<String, No> {
             speak,
         } => {
             let text = known(version, workspace)?;
-            json(draw::listed(source(&text)?, form, width.0, speak)?)
+            Answer::List(draw::listed(source(&text)?, form, width.0, speak)?)
         }
-        More::Adapt { version } => json(adapt(known(version, workspace)?.written())),
+        More::Adapt { version } => Answer::Adapt(adapt(known(version, workspace)?.written())),
         More::Pages {
             version,
             letter,
@@ -39,13 +38,13 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<String, No> {
             speak,
         } => {
             let text = known(version, workspace)?;
-            json(draw::paged(source(&text)?, letter, width.0, speak))
+            Answer::Pages(draw::paged(source(&text)?, letter, width.0, speak))
         }
         More::Sheet {
             title,
             scenario,
             board,
-        } => json(exercise::sheet(&title, &scenario, board)?),
+        } => Answer::Sheet(exercise::sheet(&title, &scenario, board)?),
         More::Exercise {
             version,
             title,
@@ -56,7 +55,7 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<String, No> {
             let text = known(version, workspace)?;
             let machine = plant.zip(plant_text);
             let outcome = exercise::exercise(source(&text)?, &title, &scenario, machine)?;
-            json(outcome)
+            Answer::Exercise(outcome)
         }
         More::Trial {
             version,
@@ -64,7 +63,7 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<String, No> {
             plant_text,
         } => {
             let text = known(version, workspace)?;
-            json(exercise::trial(source(&text)?, &plant, &plant_text)?)
+            Answer::Trial(exercise::trial(source(&text)?, &plant, &plant_text)?)
         }
         More::Trace {
             version,
@@ -73,7 +72,7 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<String, No> {
             ms,
         } => {
             let (text, span) = (known(version, workspace)?, ms.min(LONGEST_TRACE).into());
-            json(exercise::trace(source(&text)?, &plant, &plant_text, span)?)
+            Answer::Trace(exercise::trace(source(&text)?, &plant, &plant_text, span)?)
         }
         More::Replay {
             version,
@@ -87,7 +86,7 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<String, No> {
             let (text, scenario) = (known(version, workspace)?, scenario.as_deref());
             let (machine, at) = ((&*plant, &*plant_text), (at.into(), &*why));
             let program = source(&text)?;
-            json(replay::replay(
+            Answer::Replay(replay::replay(
                 program,
                 machine,
                 scenario,
@@ -100,17 +99,17 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<String, No> {
             text,
             board,
             speak,
-        } => json(machine::standing(&name, &text, board, speak.into())?),
+        } => Answer::Picture(machine::standing(&name, &text, board, speak.into())?),
         More::Card {
             program,
             state,
             board,
         } => {
             let written = Written::new("PROGRAM.TXT".to_owned(), program.into_bytes(), board);
-            json(card::card(&workspace.look(written), state)?)
+            Answer::Card(card::card(&workspace.look(written), state)?)
         }
-        More::Read { blocks, name } => json(card::read(blocks.0, &name)),
-        More::Free { blocks } => json(card::free(blocks.0)),
+        More::Read { blocks, name } => Answer::Read(card::read(blocks.0, &name)),
+        More::Free { blocks } => Answer::Free(card::free(blocks.0)),
         More::Machine {
             name,
             text,
@@ -130,37 +129,37 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<String, No> {
                     Machine::open(&name, &text, board, lang, hidden.as_ref())?
                 }
             };
-            json(boards.machine.insert(machine).known(lang))
+            Answer::Machine(boards.machine.insert(machine).known(lang))
         }
-        More::MachineLook {} => json(open(boards)?.look()),
+        More::MachineLook {} => Answer::MachineLook(open(boards)?.look()),
         More::MachineHand { part, value, to } => {
             open(boards)?.hand(part, value, to);
-            json(())
+            Answer::MachineHand(())
         }
         More::MachineFault { part, fault, is } => {
             open(boards)?.fault(part, &fault, is);
-            json(())
+            Answer::MachineFault(())
         }
         More::MachineForced {} => {
             open(boards)?.forced();
-            json(())
+            Answer::MachineForced(())
         }
-        More::MachineName { part, fault } => json(open(boards)?.name(part, &fault)),
+        More::MachineName { part, fault } => Answer::MachineName(open(boards)?.name(part, &fault)),
         More::MachineReset {} => {
             open(boards)?.reset();
-            json(())
+            Answer::MachineReset(())
         }
         More::MachineClose {} => {
             boards.machine = None;
-            json(())
+            Answer::MachineClose(())
         }
-        More::Flash { hex, model } => json(boards.flash.begin(&hex, &model)?),
-        More::FlashStep { now, came } => json(boards.flash.step(now, &came)?),
+        More::Flash { hex, model } => Answer::Flash(boards.flash.begin(&hex, &model)?),
+        More::FlashStep { now, came } => Answer::FlashStep(boards.flash.step(now, &came)?),
         More::FlashLose { why } => {
             boards.flash.lose(why);
-            json(())
+            Answer::FlashLose(())
         }
-        More::Palette {} => json(unoclp_edit::palette()),
+        More::Palette {} => Answer::Palette(unoclp_edit::palette()),
         More::Draw {
             base,
             log,
@@ -170,9 +169,9 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<String, No> {
             speak,
         } => {
             let mut drawing = Drawing::open(base.0, log.0, board, workspace)?;
-            let view = json(drawing.view(name, board, (width.0, speak), workspace));
+            let view = drawing.view(name, board, (width.0, speak), workspace);
             boards.drawing = Some(drawing);
-            view
+            Answer::Draw(Box::new(view))
         }
         More::Edit {
             act,
@@ -185,10 +184,15 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<String, No> {
             if let Some(act) = act {
                 drawing.act(Act::of(act, board)?, workspace)?;
             }
-            json(drawing.view(name, board, (width.0, speak), workspace))
+            Answer::Edit(Box::new(drawing.view(
+                name,
+                board,
+                (width.0, speak),
+                workspace,
+            )))
         }
-        More::Drawn { form } => json(drawing(boards)?.0.text(&form)?),
-        More::Find { words } => json(drawing(boards)?.0.find(&words)),
+        More::Drawn { form } => Answer::Drawn(drawing(boards)?.0.text(&form)?),
+        More::Find { words } => Answer::Find(drawing(boards)?.0.find(&words)),
     })
 }
 

@@ -2,10 +2,10 @@
 //!
 //! Owns what a page is told of a program as a whole. Must not know how it is drawn or run.
 
+use crate::answer::answer;
 use crate::given::Given;
 use crate::tell::{Problem, colours, problems, warnings};
 use crate::words::{self, Both, No, both};
-use serde::Serialize;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use unoclp_client::diagnostics::Kept;
@@ -17,76 +17,81 @@ use unoclp_workspace::{Analysis, Version, Workspace};
 /// The longest text that is looked at, bytes.
 pub const LONGEST: usize = 1 << 20;
 
-/// What there is to say of a text.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Checked {
-    /// `il`, `st`, `scl`, `iscl`, `lce`, `numeric`; empty for a text in none of them.
-    language: &'static str,
-    problems: Vec<Problem>,
-    /// How many more there are.
-    more: usize,
-    /// The coloured parts of the text, each by three numbers: units of UTF-16 since the end of the one before, its own
-    /// units, and what it is (`tell::colours`).
-    colours: Vec<u32>,
-    /// None where the text has errors.
-    program: Option<Made>,
-    /// Whether no instruction stands in it yet: one can draw the first.
-    blank: bool,
+answer! {
+    /// What there is to say of a text.
+    pub struct Checked as "Checked" {
+        /// `il`, `st`, `scl`, `iscl`, `lce`, `numeric`; empty for a text in none of them.
+        language: &'static str => "LanguageName",
+        problems: Vec<Problem>,
+        /// How many more there are.
+        more: usize,
+        /// The coloured parts of the text, each by three numbers: units of UTF-16 since the end of the one before, its own
+        /// units, and what it is (`tell::colours`).
+        colours: Vec<u32>,
+        /// None where the text has errors.
+        program: Option<Made>,
+        /// Whether no instruction stands in it yet: one can draw the first.
+        blank: bool,
+    }
 }
 
-/// What has become of a text.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Made {
-    /// What stands in PROGRAM.TXT.
-    code: String,
-    /// What the text calls its points.
-    symbols: BTreeMap<String, String>,
-    /// For each step: the line of the text, from 1, and the first and last line of PROGRAM.TXT.
-    map: Vec<[u32; 3]>,
-    size: Size,
-    uses: Uses,
-    /// How a board keeps it.
-    kept: Stored,
-    /// Why it is sent to no board; none where it is written for one.
-    unsent: Option<Both>,
-    /// The boards that hold it.
-    held_by: Vec<&'static str>,
-    /// What the first board lacks for it; none where one holds it.
-    lacking: Option<Both>,
+answer! {
+    /// What has become of a text.
+    pub struct Made as "Made" {
+        /// What stands in PROGRAM.TXT.
+        code: String,
+        /// What the text calls its points.
+        symbols: BTreeMap<String, String>,
+        /// For each step: the line of the text, from 1, and the first and last line of PROGRAM.TXT.
+        map: Vec<[u32; 3]>,
+        size: Size,
+        uses: Uses,
+        /// How a board keeps it.
+        kept: Stored,
+        /// Why it is sent to no board; none where it is written for one.
+        unsent: Option<Both>,
+        /// The boards that hold it.
+        held_by: Vec<&'static str>,
+        /// What the first board lacks for it; none where one holds it.
+        lacking: Option<Both>,
+    }
 }
 
-/// How much of the board it takes: bytes, each of so many.
-#[derive(Debug, Serialize)]
-struct Size {
-    codes: u16,
-    stored: [usize; 2],
-    linked: [usize; 2],
-    text: Both,
+answer! {
+    /// How much of the board it takes: bytes, each of so many.
+    struct Size as "Size" {
+        codes: u16,
+        stored: [usize; 2],
+        linked: [usize; 2],
+        text: Both,
+    }
 }
 
-/// The numbers that it names.
-#[derive(Clone, Debug, Serialize)]
-pub struct Uses {
-    inputs: Vec<u8>,
-    analogue: Vec<u8>,
-    outputs: Vec<u8>,
-    pwm: Vec<u8>,
-    markers: Vec<u8>,
-    registers: Vec<u8>,
-    reals: Vec<u8>,
-    counters: Vec<u8>,
-    /// What each timer does, from T 01 on: `TON`, `TOF`, `TP` …
-    timers: Vec<&'static str>,
+answer! {
+    /// The numbers that it names.
+    #[derive(Clone)]
+    pub struct Uses as "Uses" {
+        inputs: Vec<u8>,
+        analogue: Vec<u8>,
+        outputs: Vec<u8>,
+        pwm: Vec<u8>,
+        markers: Vec<u8>,
+        registers: Vec<u8>,
+        reals: Vec<u8>,
+        counters: Vec<u8>,
+        /// What each timer does, from T 01 on: `TON`, `TOF`, `TP` …
+        timers: Vec<&'static str>,
+    }
 }
 
-/// How a board keeps a program.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Stored {
-    version: u8,
-    bytes: u16,
-    sum: u16,
+answer! {
+    /// How a board keeps a program.
+    #[derive(Clone, Copy, Default, PartialEq, Eq)]
+    pub struct Stored as "Stored" {
+        version: u8,
+        bytes: u16,
+        sum: u16,
+    }
 }
 
 impl From<Kept> for Stored {

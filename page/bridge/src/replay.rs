@@ -3,10 +3,10 @@
 //!
 //! Owns which moments are shown. Must not know how a page plays them.
 
+use crate::answer::answer;
 use crate::exercise::read;
 use crate::machine::{Shown, plant, shown};
 use crate::words::{No, both};
-use serde::Serialize;
 use std::collections::BTreeMap;
 use unoclp_core::Millis;
 use unoclp_exercise::diagram::Moment;
@@ -21,22 +21,23 @@ const AFTER: u64 = 500;
 /// From one picture to the next, ms.
 const FRAME: u64 = 40;
 
-/// A moment of a machine.
-#[derive(Debug, Serialize)]
-pub struct Replay {
-    /// The first of its times and the last, ms after the first scan, and when it went wrong.
-    from: u64,
-    until: u64,
-    at: u64,
-    /// From one picture to the next, ms.
-    every: u64,
-    /// The first picture.
-    svg: String,
-    /// What changes with each of the others.
-    frames: Vec<Vec<Shown>>,
-    /// The timing diagram, and where its times are in it: the place of the first, and how far it is to the last.
-    diagram: String,
-    plot: [f32; 2],
+answer! {
+    /// A moment of a machine.
+    pub struct Replay as "Replayed" {
+        /// The first of its times and the last, ms after the first scan, and when it went wrong.
+        from: u64,
+        until: u64,
+        at: u64,
+        /// From one picture to the next, ms.
+        every: u64,
+        /// The first picture.
+        svg: String,
+        /// What changes with each of the others.
+        frames: Vec<Vec<Shown>>,
+        /// The timing diagram, and where its times are in it: the place of the first, and how far it is to the last.
+        diagram: String,
+        plot: [f32; 2],
+    }
 }
 
 /// What a machine did about this time with a program, told in this language; `scenario` has names for the points.

@@ -1,27 +1,28 @@
 //! Problems of a text, with their places as an editor in a browser counts them: in UTF-16 units.
 
+use crate::answer::answer;
 use crate::words::{self, Both, both};
-use serde::Serialize;
 use unoclp_lang::{Colour, Diagnostic, Lines, Severity, Span, Told};
 use unoclp_program::diagnosis::tell;
 use unoclp_program::{Lang, Refused, Seal, Source, WrittenIn};
 
-/// What is wrong with a text, or worth a second look.
-#[derive(Debug, Serialize)]
-pub struct Problem {
-    /// `IL-11`, `ST-101`, or the number of a fault.
-    number: String,
-    /// `error` or `warning`.
-    severity: &'static str,
-    /// From 1; a column is a character.
-    line: u32,
-    column: u32,
-    /// Units of UTF-16 from the beginning of the text.
-    from: usize,
-    to: usize,
-    message: Both,
-    /// What to do; empty where there is nothing to say.
-    help: Both,
+answer! {
+    /// What is wrong with a text, or worth a second look.
+    pub struct Problem as "Problem" {
+        /// `IL-11`, `ST-101`, or the number of a fault.
+        number: String,
+        /// `error` or `warning`.
+        severity: &'static str => "\"error\" | \"warning\"",
+        /// From 1; a column is a character.
+        line: u32,
+        column: u32,
+        /// Units of UTF-16 from the beginning of the text.
+        from: usize,
+        to: usize,
+        message: Both,
+        /// What to do; empty where there is nothing to say.
+        help: Both,
+    }
 }
 
 /// The problems of a text that is no program, and how many more there are.

@@ -232,6 +232,7 @@ fn a_ladder_names_its_nets_and_steps() {
         "data-point=\"I1\"",
         "data-point=\"Q1\"",
         "data-rung=\"1\"",
+        "data-nets=\"0\"",
         "data-lines=\"1-4\"",
         "class=\"wire n",
     ] {
@@ -618,7 +619,10 @@ fn each_element_of_the_palette_can_be_inserted() {
         let (view, _) = drawn("", &act);
         assert_eq!(view["undo"], 1, "{item}");
         assert!(
-            view["sheet"]["svg"].as_str().unwrap().contains("data-id"),
+            view["sheet"]["rungs"][0]["drawn"]["svg"]
+                .as_str()
+                .unwrap()
+                .contains("data-id"),
             "{item}"
         );
         seen += 1;

@@ -31,6 +31,13 @@ fn edit(boards: &mut Boards, act: Value) -> Value {
     ok(boards, request)
 }
 
+/// How many rungs come with a drawing.
+fn drawn(view: &Value) -> usize {
+    let rungs = view["sheet"]["rungs"].as_array().unwrap();
+    let drawn = rungs.iter().filter(|rung| rung["drawn"].is_object());
+    drawn.count()
+}
+
 /// A page with a drawing of 100 rungs.
 fn drawing() -> Boards {
     let mut boards = Boards::default();
@@ -38,6 +45,7 @@ fn drawing() -> Boards {
     let draw = json!({ "ask": "draw", "base": base, "log": [], "width": 80, "speak": "en" });
     let view = ok(&mut boards, draw);
     assert_eq!(view["isProgram"], true);
+    assert_eq!(drawn(&view), RUNGS);
     edit(&mut boards, json!({ "do": "move", "to": "right" }));
     boards
 }
@@ -60,6 +68,7 @@ fn a_key_press_in_a_drawing_of_100_rungs_makes_one_of_each() {
         assert!(checked["program"].is_object());
         let is = (work.emissions, work.passes, work.drawings, work.compiles);
         assert_eq!(is, (1, 1, 1, 1), "{work:?}");
+        assert_eq!((work.rungs, drawn(&view)), (1, 1), "the others stay");
         last = text.to_owned();
         edit(&mut boards, json!({ "do": "move", "to": "down" }));
     }
@@ -84,5 +93,33 @@ fn a_contact_without_an_address_is_not_compiled() {
     assert_eq!(view["isProgram"], false);
     let work = Work::since(before);
     let is = (work.emissions, work.passes, work.drawings, work.compiles);
-    assert_eq!(is, (1, 1, 1, 0));
+    assert_eq!((is, drawn(&view)), ((1, 1, 1, 0), 1));
+}
+
+/// What stands below a new rung has another number above it, and else only another place.
+#[test]
+fn a_contact_more_moves_the_rungs_below_it() {
+    let mut boards = drawing();
+    let places = |view: &Value| {
+        let rungs = view["sheet"]["rungs"].as_array().unwrap().iter();
+        let place = |rung: &Value| {
+            (
+                rung["nets"].as_u64().unwrap(),
+                rung["top"].as_f64().unwrap(),
+            )
+        };
+        rungs.map(place).collect::<Vec<_>>()
+    };
+    let before = places(&edit(&mut boards, json!({ "do": "toggle" })));
+    let act = json!({ "do": "insert", "what": "contact", "place": "beside" });
+    let view = edit(&mut boards, act);
+    let after = places(&view);
+    assert_eq!((drawn(&view), before[0]), (1, after[0]));
+    let below = before.iter().zip(&after).skip(1);
+    assert!(below.clone().count() == RUNGS - 1);
+    assert!(
+        below
+            .clone()
+            .all(|(one, other)| one.0 < other.0 && one.1 < other.1)
+    );
 }

@@ -6,8 +6,9 @@
 //! - [`identity`], [`diagnostics`]: what a board says of itself
 //! - [`start`]: finding the board at the other end
 //! - [`upload`]: a program over the line in place of the card
-//! - [`watch`]: one reading of all that a screen shows, and what may be asked of the board
+//! - [`watch`]: one reading of all that a screen shows, and what may be wished of the board
 //! - [`live`]: the same many times a second, of what a program uses
+//! - [`session`]: a board from finding it to losing it, for whoever watches one: a terminal, a page
 //! - [`point`]: writing of single points
 //! - [`settings`]: address, rate, parity, direction pin and lock
 //!
@@ -23,6 +24,7 @@ pub mod identity;
 mod link;
 pub mod live;
 pub mod point;
+pub mod session;
 pub mod settings;
 pub mod start;
 pub mod upload;

@@ -1,5 +1,5 @@
-//! A reading that is kept up many times a second: each round reads what moves from scan to scan and is used, and in turn
-//! one part of what hardly changes. So a round takes a handful of requests, whatever there is to know.
+//! A reading that is kept up many times a second: each round reads what moves from scan to scan and is used, and every
+//! third one part of what hardly changes, in turn. So a round takes a handful of requests, whatever there is to know.
 
 use crate::client::{Client, Failure};
 use crate::diagnostics::Diagnostics;
@@ -18,6 +18,15 @@ pub struct Parts {
     pub analogue: bool,
     /// Registers.
     pub registers: bool,
+}
+
+impl Parts {
+    /// All of it.
+    pub const ALL: Parts = Parts {
+        markers: true,
+        analogue: true,
+        registers: true,
+    };
 }
 
 /// What is read in turn. What a person may just have changed comes first.
@@ -43,8 +52,10 @@ const SLOW: [Slow; 7] = [
     Slow::Registers,
 ];
 
-/// Time from the beginning of a round to that of the next: 22 a second, where the line is fast enough.
-const PERIOD: Duration = Duration::from_millis(45);
+/// Time from the beginning of a round to that of the next: 27 a second, where the line is fast enough.
+const PERIOD: Duration = Duration::from_millis(36);
+/// Rounds without a part of what hardly changes, after one with it.
+const REST: u8 = 2;
 /// Time between two rounds at least: the line is for orders too.
 const PAUSE: Duration = Duration::from_millis(5);
 
@@ -56,6 +67,8 @@ pub struct Live {
     of: Option<(Scope, Parts)>,
     /// Whose turn it is among [`SLOW`].
     turn: usize,
+    /// Rounds until it comes.
+    rest: u8,
     /// When the last round began.
     begun: Duration,
 }
@@ -77,13 +90,19 @@ impl Live {
             let before = self.reading.diagnostics.uptime;
             self.renew(client, scope, parts).await?;
             if self.reading.diagnostics.uptime >= before {
-                self.renew_in_turn(client, scope, parts).await?;
+                match self.rest.checked_sub(1) {
+                    Some(rest) => self.rest = rest,
+                    None => {
+                        self.rest = REST;
+                        self.renew_in_turn(client, scope, parts).await?;
+                    }
+                }
                 return Ok(&self.reading);
             }
         }
         self.reading = Reading::read(client, scope).await?;
         self.of = Some((scope, parts));
-        self.turn = 0;
+        self.points_have_changed();
         Ok(&self.reading)
     }
 
@@ -100,9 +119,9 @@ impl Live {
         client.pause(due.max(PAUSE), is_so).await
     }
 
-    /// Points were forced or set: the next round reads what is forced, and those after it the presets.
+    /// Points were forced or set: the next round reads what is forced, and soon after it the presets are.
     pub const fn points_have_changed(&mut self) {
-        self.turn = 0;
+        (self.turn, self.rest) = (0, 0);
     }
 
     /// Anything may have changed: the next round reads all of it.

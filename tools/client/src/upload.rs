@@ -1,6 +1,7 @@
 //! A program over the line in place of the card.
 //!
-//! The text is sent twice: the board checks it the first time, and compares and stores it the second time.
+//! The text is sent twice: the board checks it the first time, and compares and stores it the second time. Of a program the
+//! codes are sent, and no comments.
 
 use crate::client::{Client, Failure};
 use crate::diagnostics::{Diagnostics, Kept, Trouble};
@@ -95,7 +96,85 @@ pub fn needs(program: &Program<'_>) -> u8 {
     }
 }
 
-/// Uploads the text of a program, which a board of this version will keep as `sent`; gives how the board keeps it.
+/// What of a program's text is sent: its codes, each on a line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Codes {
+    bytes: Vec<u8>,
+    /// The line of the text that each line of `bytes` stands in, from 1; the first is that of no line.
+    lines: Vec<u32>,
+}
+
+impl Codes {
+    /// Those of a program whose text is known. A jump is stored with the number of its line, so where there is one all lines
+    /// keep theirs.
+    pub fn of(program: &Program<'_>, text: &[u8]) -> Codes {
+        let has_jumps = program
+            .steps()
+            .any(|step| matches!(step.operand, Operand::Jump { .. }));
+        let mut codes = Codes {
+            bytes: Vec::new(),
+            lines: vec![0],
+        };
+        let text = text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(text);
+        let mut blank = 0;
+        for (line, number) in text.split(|&byte| byte == b'\n').zip(1..) {
+            let code = line.split(|&byte| byte == b'/').next().unwrap_or_default();
+            let code = code.trim_ascii();
+            if code.is_empty() {
+                blank += 1;
+                continue;
+            }
+            if has_jumps {
+                for before in number - blank..number {
+                    codes.line(before, &[]);
+                }
+            }
+            blank = 0;
+            codes.line(number, code);
+        }
+        codes
+    }
+
+    fn line(&mut self, number: u32, code: &[u8]) {
+        self.lines.push(number);
+        self.bytes.extend(code);
+        self.bytes.push(b'\n');
+    }
+
+    /// What is sent in each pass.
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// A fault that a board has found in them, by its line in the text.
+    pub fn in_text(&self, trouble: Trouble) -> Trouble {
+        let line = trouble.line.map(|line| {
+            let known = self.lines.get(line as usize);
+            known.copied().unwrap_or(line)
+        });
+        Trouble { line, ..trouble }
+    }
+}
+
+/// Uploads the codes of a program whose text is known; gives how the board keeps it. The board must not be in RUN.
+///
+/// # Errors
+/// [`Broken`]; a fault by its line in the text.
+pub async fn upload_program(
+    client: &mut Client,
+    program: &Program<'_>,
+    text: &[u8],
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Kept, Broken> {
+    let codes = Codes::of(program, text);
+    let kept = upload(client, codes.bytes(), Kept::of(program), progress).await;
+    kept.map_err(|broken| match broken {
+        Broken::Fault(trouble) => Broken::Fault(codes.in_text(trouble)),
+        other => other,
+    })
+}
+
+/// Uploads a text as it is, which a board of this version will keep as `sent`; gives how the board keeps it.
 /// The board must not be in RUN.
 ///
 /// # Errors

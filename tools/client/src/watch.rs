@@ -1,15 +1,10 @@
-//! One reading of all that a screen shows, and what may be asked of the board meanwhile.
+//! One reading of all that a screen shows, and what may be wished of the board meanwhile.
 
 use crate::client::{Client, Failure, if_there};
 use crate::diagnostics::Diagnostics;
 use crate::map::{self, Command, Span, coil, discrete, holding, input, long};
-use std::cell::RefCell;
-use std::collections::VecDeque;
 use std::fmt;
-use std::rc::Rc;
-use std::time::Duration;
 use unoclp_core::{Image, Inputs, Millis, Snapshot};
-use unoclp_modbus::Exception;
 
 /// Points that are forced, and to what; bit 0 is point 01.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -249,6 +244,18 @@ pub enum Wish {
 }
 
 impl Wish {
+    /// Does it; what it forces ends at the board after so many seconds without a request, 1 to 254, where its firmware has
+    /// an end of forcing.
+    ///
+    /// # Errors
+    /// As [`fulfil`](Wish::fulfil).
+    pub async fn fulfil_until(self, client: &mut Client, ends: Option<u8>) -> Result<(), Failure> {
+        if let (Wish::Force(_, _, Some(_)), Some(seconds)) = (self, ends) {
+            if_there(client.set_word(holding::FORCING_ENDS, seconds.into()).await)?;
+        }
+        self.fulfil(client).await
+    }
+
     /// Does it.
     ///
     /// # Errors
@@ -269,84 +276,6 @@ impl Wish {
             }
         }
     }
-}
-
-/// What is wished of a board while it is watched: the watch takes it, whoever has a clone of this puts it in.
-#[derive(Clone, Default)]
-pub struct Wishes(Rc<RefCell<VecDeque<Wish>>>);
-
-impl Wishes {
-    /// Wishes something; the next step of the conversation sees it.
-    pub fn push(&self, wish: Wish) {
-        self.0.borrow_mut().push_back(wish);
-    }
-
-    fn take(&self) -> Option<Wish> {
-        self.0.borrow_mut().pop_front()
-    }
-
-    fn are_there(&self) -> bool {
-        !self.0.borrow().is_empty()
-    }
-}
-
-/// What there is to say of a board that is watched.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Seen {
-    /// All that there is to show.
-    Reading(Box<Reading>),
-    /// It refuses a wish, and how it stands then: `ServerDeviceFailure` is the refusal of what can be done in another
-    /// state only.
-    Refused(Wish, Exception, Box<Diagnostics>),
-}
-
-/// Time from reading to reading: a few a second are enough to look at, and leave the line to others.
-const PAUSE: Duration = Duration::from_millis(50);
-
-/// Reads the board, and does what is wished in between, until it is lost; says how. What is forced ends at the board
-/// after `end_forcing` seconds without a request, 1 to 254, where its firmware has an end of forcing.
-pub async fn watch(
-    client: &mut Client,
-    scope: Scope,
-    end_forcing: Option<u8>,
-    wishes: &Wishes,
-    see: &mut dyn FnMut(Seen),
-) -> Failure {
-    loop {
-        if let Err(failure) = round(client, scope, end_forcing, wishes, see).await {
-            return failure;
-        }
-    }
-}
-
-/// One reading, and the wishes after it.
-async fn round(
-    client: &mut Client,
-    scope: Scope,
-    end_forcing: Option<u8>,
-    wishes: &Wishes,
-    see: &mut dyn FnMut(Seen),
-) -> Result<(), Failure> {
-    see(Seen::Reading(Box::new(Reading::read(client, scope).await?)));
-    client.pause(PAUSE, || wishes.are_there()).await?;
-    // What they have brought about is shown at once.
-    while let Some(wish) = wishes.take() {
-        let fulfilled = async {
-            if let (Wish::Force(_, _, Some(_)), Some(seconds)) = (wish, end_forcing) {
-                if_there(client.set_word(holding::FORCING_ENDS, seconds.into()).await)?;
-            }
-            wish.fulfil(client).await
-        };
-        match fulfilled.await {
-            Ok(()) => {}
-            Err(Failure::Refused(exception)) => {
-                let board = Diagnostics::read(client).await?;
-                see(Seen::Refused(wish, exception, Box::new(board)));
-            }
-            Err(failure) => return Err(failure),
-        }
-    }
-    Ok(())
 }
 
 async fn forces(client: &mut Client, side: Side) -> Result<Forces, Failure> {

@@ -22,6 +22,6 @@ pub use amiss::{Amiss, Offer};
 pub use at::At;
 pub use fields::{Field, Shown, ask, naming, operations, shown};
 pub use find::find;
-pub use palette::{Shelf, insertion, palette};
+pub use palette::{Entry, Shelf, insertion, palette};
 pub use told::{refusal, wrong};
 pub use words::{no_address, no_drawing, unfinished};

@@ -89,12 +89,12 @@ pub struct Shelf {
     /// What a person calls it.
     pub name: Both,
     /// Its elements.
-    pub items: Vec<Offer>,
+    pub items: Vec<Entry>,
 }
 
 /// An element of the palette.
 #[derive(Debug, Serialize)]
-pub struct Offer {
+pub struct Entry {
     /// What [`insertion`] takes.
     pub id: String,
     /// What a person calls it.
@@ -115,7 +115,7 @@ pub fn palette() -> Vec<Shelf> {
         (Group::Comparisons, say::comparisons),
         (Group::Arithmetic, say::arithmetic),
     ];
-    let offer = |item: &Item| Offer {
+    let offer = |item: &Item| Entry {
         id: item.id.to_owned(),
         name: both(item.name),
         key: item.key.to_owned(),
@@ -141,10 +141,10 @@ pub fn palette() -> Vec<Shelf> {
     shelves
 }
 
-fn other(opcode: &Opcode) -> Offer {
+fn other(opcode: &Opcode) -> Entry {
     let letters = opcode.row().letters;
     let name = format!("{letters}: {}", picture(*opcode));
-    Offer {
+    Entry {
         id: format!("op:{letters}"),
         name: both(|_| name.clone()),
         key: String::new(),

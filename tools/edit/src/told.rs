@@ -11,7 +11,7 @@ unoclp_words::messages! {
     select_elements() "select an element first" "selecione antes um elemento";
     select_one() "select a single element" "selecione um único elemento";
     no_opposite() "this element has no opposite" "este elemento não tem oposto";
-    no_such_coil() "this point has no such coil" "este ponto não tem uma bobina assim";
+    no_such_coil() "this point cannot have that kind of coil" "este ponto não aceita esse tipo de bobina";
     not_that_address() "this element cannot have that address" "este elemento não aceita esse endereço";
     contacts_only() "only a contact can wait for an edge" "só um contato pode esperar uma borda";
     if_ends_rung() "an IF must be the last element of its rung, outside of branches" "um IF deve ser o último elemento do degrau, fora de ramos";
@@ -20,7 +20,7 @@ unoclp_words::messages! {
     nothing_copied() "nothing has been copied" "nada foi copiado";
     into_itself() "an element cannot move into itself" "um elemento não pode ir para dentro de si mesmo";
     no_further() "it cannot move further" "não dá para mover mais";
-    cannot_join() "no rung below can be joined to this one" "não há abaixo um degrau que se possa unir a este";
+    cannot_join() "no rung below can be joined to this one" "nenhum degrau abaixo pode ser unido a este";
     out_of_range() "the number is out of its range" "o número está fora da faixa";
     nothing_to_undo() "there is nothing to undo" "não há nada a desfazer";
     nothing_to_redo() "there is nothing to redo" "não há nada a refazer";

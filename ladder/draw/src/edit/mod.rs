@@ -41,7 +41,7 @@ pub use draw::Drawn;
 pub use emit::Emitted;
 pub use history::Editor;
 pub use operation::{Along, Direction, Edge, Operation, Place, Way};
-pub use places::{Canvas, Opening, Spot};
+pub use places::{Canvas, Opening, RungDrawing, Spot, Strip};
 pub use refusal::Refusal;
 pub use state::State;
 pub use step::Step;

@@ -1,23 +1,87 @@
 //! Where the things of a document are on its sheet, and where more can be inserted.
 
-use super::document::Rung;
-use super::document::{Document, Id};
+use super::document::{Document, Id, Rung};
 use super::draw::Drawn;
 use super::operation::Place;
-use crate::{Area, Labels, Sheet, picture, to_sheet};
+use super::table::Table;
+use crate::drawing::Laid;
+use crate::power::Nets;
+use crate::svg_page::{Labels, OnSheet, tops};
+use crate::{Area, Style, picture};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use unoclp_checked::Work;
 use unoclp_core::isa::Opcode;
 
 /// A document on a sheet, which a page shows and lets a person point at.
 #[derive(Clone, Debug)]
 pub struct Canvas {
-    /// The drawing as an SVG element; symbols and rungs have their names as `data-id`.
+    /// Its width and its height.
+    pub size: (f32, f32),
+    /// Its rungs, from top to bottom.
+    pub rungs: Vec<Strip>,
+    /// What all of them were drawn with: the columns that they might take, those between the rails, the names of points.
+    drawn_with: (usize, usize, Arc<Table>),
+}
+
+/// A rung where it stands.
+#[derive(Clone, Debug)]
+pub struct Strip {
+    /// What it is known by.
+    pub id: Id,
+    /// Its upper edge on the sheet.
+    pub top: f32,
+    /// The nets before its own, without that of the left rail.
+    pub nets: u32,
+    /// The steps before its own.
+    pub first: usize,
+    /// The rung wherever it stands.
+    pub drawn: Arc<RungDrawing>,
+    /// Whether it was drawn anew.
+    pub is_new: bool,
+}
+
+/// A rung wherever it stands: places count from its upper edge, nets and steps from its first.
+#[derive(Clone, Debug)]
+pub struct RungDrawing {
+    /// A group of SVG; symbols and the rung have their names as `data-id`.
     pub svg: String,
-    /// All of it.
-    pub area: Area,
-    /// Where rungs, elements and paths without an element are.
+    /// Its height, with its heading.
+    pub height: f32,
+    /// Where the rung, its elements and its paths without an element are.
     pub spots: Vec<Spot>,
     /// Where an element can be inserted.
     pub places: Vec<Opening>,
+    of: Of,
+    /// The columns that it takes between the rails.
+    takes: usize,
+}
+
+/// All that a drawing of a rung depends on, beside what is the same for all of them.
+#[derive(Clone, Debug, PartialEq)]
+struct Of {
+    rung: Arc<Rung>,
+    heading: Vec<String>,
+    /// The timers before it, where it has one: they have numbers.
+    timers: Option<u8>,
+    /// With its first code, where it has one, it has a step more.
+    steps: usize,
+    begins_at_rail: bool,
+}
+
+/// A rung that is to stand on a sheet.
+struct Planned<'l> {
+    of: Of,
+    shown: &'l crate::Rung,
+    picture: Picture,
+}
+
+/// How far it is.
+enum Picture {
+    /// It was drawn before, in columns that may be others.
+    Known(Arc<RungDrawing>),
+    /// It is laid out, and not yet as wide as the others.
+    Laid(Laid),
 }
 
 /// Where something is.
@@ -36,7 +100,7 @@ pub struct Opening {
     pub at: Id,
     /// How it goes there.
     pub place: Place,
-    /// Where it is on the sheet.
+    /// Where it is on the rung's drawing.
     pub area: Area,
 }
 
@@ -47,47 +111,99 @@ const STRIP: f32 = 9.0;
 
 impl Drawn {
     /// The document that this is the ladder of, on a sheet of so many columns. `title` says what the rung with this
-    /// number, from 1, is called; `label` what the drawing is to who cannot see it.
+    /// number, from 1, is called. A rung that is as it was `before` is not drawn again.
     pub fn canvas(
         &self,
         document: &Document,
         width: usize,
         title: &dyn Fn(usize) -> String,
-        label: &str,
+        before: Option<&Canvas>,
     ) -> Canvas {
+        Work::note(|work| work.drawings += 1);
         let names = document.table().names();
-        let drawing = self.draw(width, &names);
-        let heading = |index: usize| match document.rungs().nth(index) {
-            Some(rung) => heading(rung, title(index + 1), document),
-            None => Vec::new(),
+        let style = Style {
+            width,
+            names: &names,
+            live: &|_| None,
         };
+        let before = before.filter(|before| {
+            let (columns, _, table) = &before.drawn_with;
+            *columns == width && *table == document.table
+        });
+        let known = before.iter().flat_map(|before| &before.rungs);
+        let known: BTreeMap<Id, &Strip> = known.map(|strip| (strip.id, strip)).collect();
+        let lay = |shown| Laid::new(&self.ladder, shown, &style);
+        let rungs = document.rungs.iter().zip(&self.ladder.rungs);
+        let rungs = (1..).zip(rungs).map(|(number, (rung, shown))| {
+            let of = Of::new(rung, shown, heading(rung, title(number), document));
+            let known = known.get(&rung.id).filter(|strip| strip.drawn.of == of);
+            let picture = match known {
+                Some(strip) => Picture::Known(strip.drawn.clone()),
+                None => Picture::Laid(lay(shown)),
+            };
+            Planned { of, shown, picture }
+        });
+        let rungs: Vec<Planned<'_>> = rungs.collect();
+        let widths = rungs.iter().map(|rung| match &rung.picture {
+            Picture::Known(drawn) => drawn.takes,
+            Picture::Laid(laid) => laid.width,
+        });
+        let between = Laid::between_rails(widths);
+        let fits = before.is_some_and(|before| before.drawn_with.1 == between);
+        let draw = |of, shown, laid| Arc::new(self.drawing(of, shown, laid, between));
+        let strips = rungs.into_iter().map(|Planned { of, shown, picture }| {
+            let (id, first) = (of.rung.id, shown.first);
+            let (drawn, is_new) = match picture {
+                Picture::Known(drawn) if fits => (drawn, false),
+                Picture::Known(_) => (draw(of, shown, lay(shown)), true),
+                Picture::Laid(laid) => (draw(of, shown, laid), true),
+            };
+            Strip {
+                id,
+                top: 0.0,
+                nets: shown.nets,
+                first,
+                drawn,
+                is_new,
+            }
+        });
+        let mut rungs: Vec<Strip> = strips.collect();
+        let heights = rungs.iter().map(|strip| strip.drawn.height);
+        let (tops, size) = tops(heights, between);
+        for (strip, top) in rungs.iter_mut().zip(tops) {
+            strip.top = top;
+        }
+        Canvas {
+            size,
+            rungs,
+            drawn_with: (width, between, document.table.clone()),
+        }
+    }
+
+    /// A rung in so many columns between the rails.
+    fn drawing(&self, of: Of, shown: &crate::Rung, laid: Laid, between: usize) -> RungDrawing {
+        let (rung, takes) = (of.rung.id, laid.width);
         let labels = Labels {
             elements: &|index| self.elements[index].0,
-            rungs: &|index| self.rungs[index].0,
-            heading: &heading,
-            drawing: label,
+            rung: rung.0,
+            heading: &of.heading,
         };
-        let Sheet {
-            svg,
-            area,
-            elements,
-            rungs,
-        } = to_sheet(&drawing, &labels);
-        let rungs = self.rungs.iter().zip(rungs);
-        let mut spots: Vec<Spot> = rungs.map(|(&id, area)| Spot { id, area }).collect();
+        let sheet = OnSheet::new(&self.ladder, shown, laid, between, &labels);
+        let mut spots = vec![Spot {
+            id: rung,
+            area: sheet.area,
+        }];
         let mut places = Vec::new();
-        let empty = document
-            .rungs()
-            .zip(&spots)
-            .filter(|(rung, _)| rung.series.is_empty());
-        places.extend(empty.map(|(_, spot)| Opening {
-            at: spot.id,
-            place: Place::Behind,
-            area: spot.area,
-        }));
-        let ifs: Vec<Id> = document.rungs().filter_map(Rung::last_if).collect();
+        if of.rung.series.is_empty() {
+            places.push(Opening {
+                at: rung,
+                place: Place::Behind,
+                area: sheet.area,
+            });
+        }
+        let last = of.rung.last_if();
         let mut before = None;
-        for (index, area) in elements {
+        for (index, area) in sheet.elements {
             let id = self.elements[index];
             // A timer and the coil that it drives are one: what goes after goes after the coil.
             let goes_on = before == Some(id);
@@ -96,13 +212,28 @@ impl Drawn {
             }
             before = Some(id);
             spots.push(Spot { id, area });
-            places.extend(openings(id, area, !goes_on, !ifs.contains(&id)));
+            places.extend(openings(id, area, !goes_on, last != Some(id)));
         }
-        Canvas {
-            svg,
-            area,
+        RungDrawing {
+            svg: sheet.svg,
+            height: sheet.area.height,
             spots,
             places,
+            of,
+            takes,
+        }
+    }
+}
+
+impl Of {
+    fn new(rung: &Arc<Rung>, shown: &crate::Rung, heading: Vec<String>) -> Of {
+        let timers = &shown.timers;
+        Of {
+            rung: rung.clone(),
+            heading,
+            timers: (!timers.is_empty()).then_some(timers.start),
+            steps: shown.steps,
+            begins_at_rail: shown.rail == Nets::RAIL,
         }
     }
 }

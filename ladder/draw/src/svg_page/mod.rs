@@ -1,7 +1,7 @@
 //! The same drawing as vector graphics: on paper, for a report, or on a screen that shows it live.
 //!
 //! - `picture`: one picture of the whole; `report`: pages of paper
-//! - `screen`: a drawing that shows power; `sheet`: one that is edited
+//! - `screen`: a drawing that shows power; `sheet`: a rung that is edited
 //! - `node`: an element of SVG; `page`: what they are all drawn on; `symbol`: the elements; `wires`: what leads to them
 
 mod area;
@@ -18,7 +18,7 @@ pub use area::Area;
 pub use picture::to_svg;
 pub use report::{Paper, Report, to_report};
 pub use screen::to_screen;
-pub use sheet::{Labels, Sheet, to_sheet};
+pub(crate) use sheet::{Labels, OnSheet, tops};
 
 /// A column of the drawing, in units of the page.
 const COLUMN: f32 = 9.0;

@@ -2,10 +2,10 @@
 
 use super::area::Area;
 use super::node::{Node, data, digits};
-use super::wires::{NO_NET, Wires, arms, horizontal, is_rail, is_text, vertical};
+use super::wires::{Wires, arms, horizontal, is_rail, is_text, vertical};
 use super::{AXIS, GAP, HEADING, MARGIN, TEXT_ROW, WIRE_ROW, x};
 use crate::block::Cell;
-use crate::{Drawing, Net, Picture};
+use crate::{Drawing, Ladder, Net, Picture, Rung};
 use std::borrow::Cow;
 
 pub(super) const SANS: &str = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
@@ -66,11 +66,13 @@ impl Font {
 
 /// A page that fills from the top.
 pub(super) struct Page<'p> {
-    pub(super) drawing: &'p Drawing<'p>,
+    pub(super) ladder: &'p Ladder,
+    /// Columns, rails included.
+    width: usize,
     pub(super) group: Node,
     pub(super) y: f32,
-    /// Whether a style sheet says how all of it looks, and what is live has a name.
-    pub(super) screen: bool,
+    /// On a screen, where a style sheet says how all of it looks, and what is live has a name: the rung that is drawn.
+    pub(super) screen: Option<&'p Rung>,
     /// What elements are known by where they are edited.
     pub(super) ids: Option<&'p dyn Fn(usize) -> u32>,
     /// Where elements are.
@@ -78,13 +80,27 @@ pub(super) struct Page<'p> {
 }
 
 impl<'p> Page<'p> {
-    /// An empty page that begins at this height; on a `screen` a style sheet says how it looks.
-    pub(super) fn new(drawing: &'p Drawing<'p>, y: f32, screen: bool) -> Page<'p> {
+    /// An empty page of paper that begins at this height.
+    pub(super) fn new(drawing: &'p Drawing<'p>, y: f32) -> Page<'p> {
         Page {
-            drawing,
+            ladder: drawing.ladder(),
+            width: drawing.width,
             group: Node::group(),
             y,
-            screen,
+            screen: None,
+            ids: None,
+            areas: Vec::new(),
+        }
+    }
+
+    /// One for a rung on a screen, of so many columns.
+    pub(super) fn on_screen(ladder: &'p Ladder, rung: &'p Rung, width: usize) -> Page<'p> {
+        Page {
+            ladder,
+            width,
+            group: Node::group(),
+            y: 0.0,
+            screen: Some(rung),
             ids: None,
             areas: Vec::new(),
         }
@@ -107,7 +123,7 @@ impl<'p> Page<'p> {
     }
 
     pub(super) fn text(&mut self, x: f32, y: f32, text: &str, font: &Font) {
-        if self.screen {
+        if self.screen.is_some() {
             let text = Node::text(&printable(text)).set("x", x).set("y", y);
             return self.add(text.set("class", font.class));
         }
@@ -119,7 +135,7 @@ impl<'p> Page<'p> {
     }
 
     pub(super) fn line(&mut self, data: String, width: f32) {
-        if self.screen {
+        if self.screen.is_some() {
             let path = Node::path().set("d", data).set("stroke-width", width);
             return self.add(path.set("class", "line"));
         }
@@ -133,14 +149,14 @@ impl<'p> Page<'p> {
     }
 
     /// A wire; on a screen one that its net can light.
-    pub(super) fn wire(&mut self, data: String, net: u32) {
-        if !self.screen {
+    pub(super) fn wire(&mut self, data: String, net: Option<Net>) {
+        let Some(rung) = self.screen else {
             return self.line(data, 1.4);
-        }
+        };
         let wire = Node::path().set("d", data);
         self.add(match net {
-            NO_NET => wire.set("class", "wire"),
-            net => wire.set("class", of_net("wire", net)),
+            None => wire.set("class", "wire"),
+            Some(net) => wire.set("class", of_net("wire", rung.net(net))),
         });
     }
 
@@ -154,18 +170,18 @@ impl<'p> Page<'p> {
     ) {
         let left = data(&[('M', &[left.0, y]), ('H', &[left.1])]);
         let right = data(&[('M', &[right.0, y]), ('H', &[right.1])]);
-        if !self.screen {
+        if self.screen.is_none() {
             return self.line(left + &right, 1.4);
         }
-        self.wire(left, before.map_or(NO_NET, Net::number));
-        self.wire(right, behind.number());
+        self.wire(left, before);
+        self.wire(right, Some(behind));
     }
 
     /// The edge of a box.
     pub(super) fn edge(&self) -> Node {
         match self.screen {
-            true => Node::rectangle().set("class", "line"),
-            false => Node::rectangle().set("fill", "none").set("stroke", INK),
+            Some(_) => Node::rectangle().set("class", "line"),
+            None => Node::rectangle().set("fill", "none").set("stroke", INK),
         }
     }
 
@@ -179,7 +195,7 @@ impl<'p> Page<'p> {
             axes.push(self.y + if wired { AXIS } else { TEXT_ROW / 2.0 });
             self.y += if wired { WIRE_ROW } else { TEXT_ROW };
         }
-        let mut wires = Wires::new(self.screen);
+        let mut wires = Wires::new(self.screen.is_some());
         for (index, row) in picture.rows.iter().enumerate() {
             self.row(row, axes[index]);
             horizontal(row, axes[index], &mut wires);
@@ -190,7 +206,7 @@ impl<'p> Page<'p> {
         for (net, data) in wires.paths {
             self.wire(data, net);
         }
-        let right = (self.drawing.width - 1) as f32;
+        let right = (self.width - 1) as f32;
         let rail = |column| data(&[('M', &[x(column + 0.5), top]), ('V', &[self.y])]);
         let rails = [0.0, right].map(rail);
         self.line(rails.concat(), 2.6);

@@ -15,7 +15,7 @@ pub fn to_svg(
     title: Title<'_>,
     about: &str,
 ) -> String {
-    let mut page = Page::new(drawing, MARGIN, false);
+    let mut page = Page::new(drawing, MARGIN);
     page.text(MARGIN, page.y + 16.0, about, &Font::TITLE);
     page.y += 40.0;
     for (index, picture) in drawing.rungs.iter().enumerate() {

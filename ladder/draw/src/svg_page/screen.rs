@@ -1,19 +1,58 @@
 //! A drawing for a screen that shows it live: drawn once, then only classes and short texts change.
 //!
-//! - `wire nN`: the wires of net N ([`Net::number`](crate::Net::number))
-//! - `element nN`: a symbol, with the net after it; `data-element` is its index, `data-steps` its steps, `data-point`
-//!   what it reads or writes
+//! - `rung`: a rung; `data-rung` is its number from 1, `data-lines` the lines of its text, `data-nets` and `data-first` how
+//!   many nets and steps there are before its own
+//! - `wire nN`: the wires of net N of the rung, from 1; of the left rail, which all rungs share, `n0`
+//! - `element nN`: a symbol, with the net after it; `data-steps` are its steps among those of the rung, `data-point` what it
+//!   reads or writes
 //! - `value`: an empty text above a box, for what its last step has come to
-//! - `rung`: a rung; `data-rung` is its number from 1, `data-lines` the lines of its text
 //!
 //! A style sheet says how they look; nothing here has a colour.
 
+use super::area::Area;
 use super::node::Node;
 use super::page::{Page, of_net};
 use super::{AXIS, COLUMN, GAP, MARGIN, x};
 use crate::listing::{Title, heading};
-use crate::{Drawing, Element, Names, Symbol};
+use crate::{Drawing, Element, Ladder, Names, Picture, Rung, Symbol};
 use unoclp_checked::SourceMap;
+
+/// A rung on a screen. Nothing in it says where among others it stands: it is the same wherever that is.
+pub(super) struct Strip {
+    /// Its group, from its upper edge.
+    pub(super) group: Node,
+    /// Its height, with its heading.
+    pub(super) height: f32,
+    /// Where its elements are, in the order in which they are drawn.
+    pub(super) areas: Vec<(usize, Area)>,
+}
+
+impl Strip {
+    /// A rung of a ladder under its heading; `ids`: what its elements are known by.
+    pub(super) fn new(
+        (ladder, rung, width): (&Ladder, &Rung, usize),
+        heading: &[String],
+        picture: &Picture,
+        ids: Option<&dyn Fn(usize) -> u32>,
+    ) -> Strip {
+        let mut page = Page::on_screen(ladder, rung, width);
+        page.ids = ids;
+        page.headed(heading, picture);
+        Strip {
+            group: page.group.set("class", "rung"),
+            height: page.y - GAP,
+            areas: page.areas,
+        }
+    }
+}
+
+/// The upper edge of the first rung.
+pub(super) const TOP: f32 = MARGIN / 2.0;
+
+/// The width of a drawing of so many columns, and its height where its last rung ends there.
+pub(super) fn size(columns: usize, end: f32) -> (f32, f32) {
+    (columns as f32 * COLUMN + 2.0 * MARGIN, end + MARGIN)
+}
 
 /// The drawing as an SVG element of a page, its rungs under their titles. `label` says what it is to who cannot see it.
 pub fn to_screen(
@@ -23,21 +62,27 @@ pub fn to_screen(
     title: Title<'_>,
     label: &str,
 ) -> String {
-    let mut page = Page::new(drawing, MARGIN / 2.0, true);
+    let (ladder, columns) = (drawing.ladder(), drawing.width);
     let mut all = Node::group();
-    for (index, picture) in drawing.rungs.iter().enumerate() {
-        page.headed(&heading(drawing, map, names, title, index), picture);
-        let rung = &drawing.ladder().rungs[index];
-        let mut group = std::mem::take(&mut page.group)
-            .set("class", "rung")
-            .set("data-rung", index + 1);
+    let mut top = TOP;
+    let mut end = top;
+    for (index, (picture, rung)) in drawing.rungs.iter().zip(&ladder.rungs).enumerate() {
+        let heading = heading(drawing, map, names, title, index);
+        let strip = Strip::new((ladder, rung, columns), &heading, picture, None);
+        let mut group = strip
+            .group
+            .set("data-rung", index + 1)
+            .set("data-nets", rung.nets)
+            .set("data-first", rung.first)
+            .set("transform", format!("translate(0,{top})"));
         if let Some((from, to)) = map.lines(rung.first, rung.steps) {
             group = group.set("data-lines", format!("{from}-{to}"));
         }
         all.add(group);
+        end = top + strip.height;
+        top = end + GAP;
     }
-    let width = drawing.width as f32 * COLUMN + 2.0 * MARGIN;
-    let height = page.y - GAP + MARGIN;
+    let (width, height) = size(columns, end);
     Node::document()
         .set("class", "ladder")
         .set("role", "img")
@@ -52,13 +97,14 @@ pub fn to_screen(
 /// The group of a symbol, with the area that takes clicks on it.
 pub(super) fn named(
     element: &Element,
-    index: usize,
+    rung: &Rung,
     symbol: Node,
     (from, to): (usize, usize),
     y: f32,
 ) -> Node {
     let (left, right) = (x(from as f32), x(to as f32));
-    let steps: Vec<String> = element.steps.iter().map(usize::to_string).collect();
+    let steps = element.steps.iter().map(|step| step - rung.first);
+    let steps: Vec<String> = steps.map(|step| step.to_string()).collect();
     let area = Node::rectangle()
         .set("class", "area")
         .set("x", left)
@@ -66,8 +112,7 @@ pub(super) fn named(
         .set("width", right - left)
         .set("height", AXIS + 13.0);
     let mut group = symbol
-        .set("class", of_net("element", element.net.number()))
-        .set("data-element", index)
+        .set("class", of_net("element", rung.net(element.net)))
         .set("data-steps", steps.join(" "));
     if let Some(point) = element.point {
         group = group.set("data-point", point.to_string());

@@ -1,78 +1,71 @@
-//! A drawing for a screen on which it is edited: as for one that shows it live, and where everything is.
+//! A rung for a screen on which it is edited: as for one that shows it live, and where everything is.
 //!
-//! Beside what `screen` names, a symbol and a rung have a `data-id`.
+//! Beside what `screen` names, a symbol and a rung have a `data-id`. What changes with the rungs before it is left to who puts
+//! it in its place.
 
+use super::GAP;
 use super::area::Area;
-use super::node::Node;
-use super::page::Page;
-use super::{COLUMN, GAP, MARGIN};
-use crate::Drawing;
+use super::screen::{self, Strip, TOP};
+use crate::drawing::Laid;
+use crate::{Ladder, Rung};
 
-/// A drawing, and where everything is.
+/// A rung, and where everything on it is, from its upper left corner.
 #[derive(Clone, Debug)]
-pub struct Sheet {
-    /// The drawing as an SVG element of a page.
-    pub svg: String,
+pub(crate) struct OnSheet {
+    /// A group of SVG.
+    pub(crate) svg: String,
     /// All of it.
-    pub area: Area,
-    /// The elements of the ladder, by their index, in the order in which they are drawn.
-    pub elements: Vec<(usize, Area)>,
-    /// The rungs, with their headings.
-    pub rungs: Vec<Area>,
+    pub(crate) area: Area,
+    /// Its elements, by their place among all of the ladder, in the order in which they are drawn.
+    pub(crate) elements: Vec<(usize, Area)>,
 }
 
-/// What is known of a drawing that is edited.
-pub struct Labels<'l> {
+/// What is known of a rung that is edited.
+pub(crate) struct Labels<'l> {
     /// What the elements of the ladder are known by.
-    pub elements: &'l dyn Fn(usize) -> u32,
-    /// What its rungs are known by.
-    pub rungs: &'l dyn Fn(usize) -> u32,
-    /// What stands above a rung, line by line.
-    pub heading: &'l dyn Fn(usize) -> Vec<String>,
-    /// What the drawing is to who cannot see it.
-    pub drawing: &'l str,
+    pub(crate) elements: &'l dyn Fn(usize) -> u32,
+    /// What the rung is known by.
+    pub(crate) rung: u32,
+    /// What stands above it, line by line.
+    pub(crate) heading: &'l [String],
 }
 
-/// The drawing as an SVG element of a page on which it is edited.
-pub fn to_sheet(drawing: &Drawing<'_>, labels: &Labels<'_>) -> Sheet {
-    let mut page = Page::new(drawing, MARGIN / 2.0, true);
-    page.ids = Some(labels.elements);
-    let width = drawing.width as f32 * COLUMN + 2.0 * MARGIN;
-    let mut all = Node::group();
-    let mut rungs = Vec::new();
-    for (index, picture) in drawing.rungs.iter().enumerate() {
-        let top = page.y;
-        page.headed(&(labels.heading)(index), picture);
-        rungs.push(Area {
-            x: 0.0,
-            y: top,
-            width,
-            height: page.y - GAP - top,
-        });
-        let group = std::mem::take(&mut page.group)
-            .set("class", "rung")
-            .set("data-rung", index + 1)
-            .set("data-id", (labels.rungs)(index));
-        all.add(group);
+impl OnSheet {
+    /// A rung in so many columns between the rails.
+    pub(crate) fn new(
+        ladder: &Ladder,
+        rung: &Rung,
+        laid: Laid,
+        between: usize,
+        labels: &Labels<'_>,
+    ) -> OnSheet {
+        let picture = laid.picture(rung, between);
+        let columns = between + 2;
+        let rung = (ladder, rung, columns);
+        let strip = Strip::new(rung, labels.heading, &picture, Some(labels.elements));
+        OnSheet {
+            svg: strip.group.set("data-id", labels.rung).written(),
+            area: Area {
+                x: 0.0,
+                y: 0.0,
+                width: screen::size(columns, 0.0).0,
+                height: strip.height,
+            },
+            elements: strip.areas,
+        }
     }
-    let height = page.y - GAP + MARGIN;
-    let svg = Node::document()
-        .set("class", "ladder")
-        .set("role", "img")
-        .set("aria-label", labels.drawing)
-        .set("width", width)
-        .set("height", height)
-        .set("viewBox", (0.0, 0.0, width, height))
-        .with(all);
-    Sheet {
-        svg: svg.written(),
-        area: Area {
-            x: 0.0,
-            y: 0.0,
-            width,
-            height,
-        },
-        elements: page.areas,
-        rungs,
-    }
+}
+
+/// The upper edges of rungs of these heights, and the size of the sheet on which they stand, in so many columns between the
+/// rails.
+pub(crate) fn tops(heights: impl Iterator<Item = f32>, between: usize) -> (Vec<f32>, (f32, f32)) {
+    let mut next = TOP;
+    let tops = heights.map(|height| {
+        let top = next;
+        next += height + GAP;
+        top
+    });
+    let tops: Vec<f32> = tops.collect();
+    let end = if tops.is_empty() { next } else { next - GAP };
+    (tops, screen::size(between + 2, end))
 }

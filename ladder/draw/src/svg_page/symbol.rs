@@ -16,17 +16,17 @@ impl Page<'_> {
         y: f32,
         before: Option<Net>,
     ) {
-        let drawing = self.drawing;
-        let Some(element) = drawing.ladder().elements.get(index) else {
+        let ladder = self.ladder;
+        let Some(element) = ladder.elements.get(index) else {
             return;
         };
-        if !self.screen {
+        let Some(rung) = self.screen else {
             return self.symbol(element, text, columns, y, before);
-        }
+        };
         let outer = std::mem::take(&mut self.group);
         self.symbol(element, text, columns, y, before);
         let inner = std::mem::replace(&mut self.group, outer);
-        let mut named = screen::named(element, index, inner, columns, y);
+        let mut named = screen::named(element, rung, inner, columns, y);
         if let Some(ids) = self.ids {
             named = named.set("data-id", ids(index));
             self.areas.push((index, Area::of_symbol(columns, y)));
@@ -90,10 +90,7 @@ impl Page<'_> {
                 if *inverted {
                     let behind = left + 5.0 * COLUMN;
                     self.inline("NOT", (left, behind), y, nets);
-                    self.wire(
-                        format!("M{behind} {y}H{}", start - 2.0),
-                        element.net.number(),
-                    );
+                    self.wire(format!("M{behind} {y}H{}", start - 2.0), Some(element.net));
                 }
                 self.text(start, y + 4.5, text, &Font::NOTE);
             }

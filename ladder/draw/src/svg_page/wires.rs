@@ -5,14 +5,11 @@ use super::{HALF, x};
 use crate::{Cell, Net};
 use std::collections::BTreeMap;
 
-/// The key of wires of no net: the right rail.
-pub(super) const NO_NET: u32 = u32::MAX;
-
 /// The wires of a rung: one path for all, or one for each net.
 pub(super) struct Wires {
     by_net: bool,
-    /// The data of each path, by the number of its net.
-    pub(super) paths: BTreeMap<u32, String>,
+    /// The data of each path, by its net; none: the right rail, or all.
+    pub(super) paths: BTreeMap<Option<Net>, String>,
 }
 
 impl Wires {
@@ -24,14 +21,11 @@ impl Wires {
     }
 
     /// The path that wires of a net belong to.
-    fn key(&self, net: Option<Net>) -> u32 {
-        match self.by_net {
-            true => net.map_or(NO_NET, Net::number),
-            false => 0,
-        }
+    fn key(&self, net: Option<Net>) -> Option<Net> {
+        net.filter(|_| self.by_net)
     }
 
-    fn add(&mut self, key: u32, data: &str) {
+    fn add(&mut self, key: Option<Net>, data: &str) {
         self.paths.entry(key).or_default().push_str(data);
     }
 }
@@ -68,7 +62,7 @@ pub(super) fn is_text(cell: Cell) -> bool {
 
 /// The wires along a row, each as long as it goes on.
 pub(super) fn horizontal(row: &[Cell], y: f32, wires: &mut Wires) {
-    let mut begun: Option<(f32, u32)> = None;
+    let mut begun: Option<(f32, Option<Net>)> = None;
     for (column, &cell) in row.iter().enumerate() {
         let [left, right, ..] = arms(cell);
         let (edge, middle) = (x(column as f32), x(column as f32 + 0.5));
@@ -77,7 +71,7 @@ pub(super) fn horizontal(row: &[Cell], y: f32, wires: &mut Wires) {
             (None, Some((_, before))) => before,
             (net, _) => wires.key(net),
         };
-        let mut end = |at: f32, begun: &mut Option<(f32, u32)>| {
+        let mut end = |at: f32, begun: &mut Option<(f32, Option<Net>)>| {
             if let Some((from, key)) = begun.take() {
                 wires.add(key, &data(&[('M', &[from, y]), ('H', &[at])]));
             }

@@ -15,15 +15,15 @@ mod sample;
 mod table;
 
 pub use field::{Columns, Given as Below};
+pub use table::{Answer, First, MORE};
 #[cfg(feature = "full")]
-pub use table::More;
-pub use table::{First, MORE};
+pub use table::{More, MoreAnswer};
 
-/// Makes of the rows of a table an enum, its reader and its names; of each row `Variant "ask" { field: Type } -> "Answer";`,
-/// where a key that is no name of Rust stands after `as`.
+/// Makes of the rows of a table an enum, its reader and its names, and an enum of what is answered; of each row
+/// `Variant "ask" { field: Type } -> Answer;`, where a key that is no name of Rust stands after `as`.
 macro_rules! asks {
-    ($(#[$about:meta])* $enum:ident; $(
-        $(#[doc = $doc:literal])* $variant:ident $ask:literal { $($field:ident $(as $key:literal)?: $type:ty),* } -> $answer:literal;
+    ($(#[$about:meta])* $enum:ident -> $told:ident; $(
+        $(#[doc = $doc:literal])* $variant:ident $ask:literal { $($field:ident $(as $key:literal)?: $type:ty),* } -> $answer:ty;
     )*) => {
         $(#[$about])*
         pub enum $enum {
@@ -50,6 +50,12 @@ macro_rules! asks {
                 }))
             }
 
+            /// Adds what is answered.
+            #[cfg(test)]
+            pub fn answers(all: &mut $crate::answer::Types) {
+                $(<$answer as $crate::answer::Typed>::declare(all);)*
+            }
+
             /// The rows of its table.
             #[cfg(test)]
             pub fn rows() -> Vec<$crate::ask::Row> {
@@ -60,9 +66,16 @@ macro_rules! asks {
                         $crate::ask::key!($field $($key)?),
                         <$type as $crate::ask::field::Field>::TYPE,
                     )),*],
-                    answer: $answer,
+                    answer: <$answer as $crate::answer::Typed>::name(),
                 }),*]
             }
+        }
+
+        /// What is answered.
+        #[derive(serde::Serialize)]
+        #[serde(untagged)]
+        pub enum $told {
+            $($variant($answer),)*
         }
     };
 }
@@ -85,5 +98,5 @@ pub struct Row {
     ask: &'static str,
     /// Keys, and what TypeScript calls what stands there; what may be left out ends in `?`.
     fields: Vec<(&'static str, &'static str)>,
-    answer: &'static str,
+    answer: String,
 }

@@ -4,35 +4,54 @@
 use super::field::{Blocks, Log, Text};
 use super::{Below, Columns, asks};
 #[cfg(feature = "full")]
+use crate::adapt::Adapted;
+use crate::board::Step;
+#[cfg(feature = "full")]
+use crate::card::Card;
+#[cfg(feature = "full")]
 use crate::draw::As;
-use crate::draw::Speak;
+use crate::draw::{LadderDrawn, Speak};
+#[cfg(feature = "full")]
+use crate::edit::View;
+#[cfg(feature = "full")]
+use crate::exercise::{self, Fared, Outcome};
+use crate::facts::Facts;
+#[cfg(feature = "full")]
+use crate::flash;
+#[cfg(feature = "full")]
+use crate::machine::{Known, Look, Searched};
+use crate::program::Checked;
+#[cfg(feature = "full")]
+use crate::replay::Replay;
 use unoclp_core::Board;
+#[cfg(feature = "full")]
+use unoclp_edit::Shelf;
 use unoclp_workspace::Version;
 
 asks! {
     /// What both modules are asked.
-    First;
+    First -> Answer;
     /// What a board has: each limit of its points and its memory, so that a page needs to know none.
-    Board "board" { board: Board } -> "BoardFacts";
+    Board "board" { board: Board } -> Facts;
     /// The version of a text: all else that is asked of it names that.
-    Text "text" { name: String, text: String, board: Board } -> "number";
+    Text "text" { name: String, text: String, board: Board } -> u32;
     /// What there is to say of a text: its problems, or its program.
-    Check "check" { version: Version } -> "Checked";
+    Check "check" { version: Version } -> Box<Checked>;
     /// Its ladder, for a page that shows it live, in so many columns where that is enough.
-    Ladder "ladder" { version: Version, width: Columns, speak: Speak } -> "{ readonly svg: string }";
+    Ladder "ladder" { version: Version, width: Columns, speak: Speak } -> LadderDrawn;
     /// A conversation with a board, which is said to run this text; `core`: this computer runs its programs, and there is no line.
     Open "open" {
         version: Option<Version>, reset: bool, core: Option<bool>, board: Board, address: Option<u8>, rate: Option<u32>,
         parity: Option<u16>
-    } -> "number";
+    } -> u32;
     /// A step of it: what has come since the last one, at this time in ms since any moment.
-    Step "step" { board: u32, now: f64, came: Vec<u8> } -> "Step";
+    Step "step" { board: u32, now: f64, came: Vec<u8> } -> Step;
     /// Something to be done by the board.
-    Order "order" { board: u32, order: Below } -> "number";
+    Order "order" { board: u32, order: Below } -> u32;
     /// The line is gone, and why.
-    Lose "lose" { board: u32, why: String } -> "null";
+    Lose "lose" { board: u32, why: String } -> ();
     /// The end of a conversation.
-    Close "close" { board: u32 } -> "null";
+    Close "close" { board: u32 } -> ();
 }
 
 /// What takes the module that has everything.
@@ -70,70 +89,70 @@ pub const MORE: [&str; 28] = [
 #[cfg(feature = "full")]
 asks! {
     /// What takes the module that has everything.
-    More;
+    More -> MoreAnswer;
     /// Its program in another form. Instruction List that is made is compiled again, by all that there is.
-    List "list" { version: Version, form as "as": As, width: Columns, speak: Speak } -> "string";
+    List "list" { version: Version, form as "as": As, width: Columns, speak: Speak } -> String;
     /// A text of another PLC with free points in the place of those that its board lacks, and those that found none; null in
     /// a language whose points are names of its own.
-    Adapt "adapt" { version: Version } -> "{ readonly text: string; readonly left: readonly string[] } | null";
+    Adapt "adapt" { version: Version } -> Option<Adapted>;
     /// The ladder on pages of paper.
-    Pages "pages" { version: Version, letter: bool, width: Columns, speak: Speak } -> "readonly string[]";
+    Pages "pages" { version: Version, letter: bool, width: Columns, speak: Speak } -> Vec<String>;
     /// What an exercise asks.
-    Sheet "sheet" { title: String, scenario: String, board: Board } -> "Sheet";
+    Sheet "sheet" { title: String, scenario: String, board: Board } -> exercise::Sheet;
     /// Whether its program does what the cases of a scenario file expect, and its machine too.
     Exercise "exercise" {
         version: Version, title: String, scenario: String, plant: Option<String>, plant_text as "plantText": Option<String>
-    } -> "Outcome";
+    } -> Outcome;
     /// Whether its program does what a machine asks, through the script of that.
-    Trial "trial" { version: Version, plant: String, plant_text as "plantText": String } -> "Fared";
+    Trial "trial" { version: Version, plant: String, plant_text as "plantText": String } -> Fared;
     /// A number for all that a machine is with it in each of so many ms.
-    Trace "trace" { version: Version, plant: String, plant_text as "plantText": String, ms: u32 } -> "string";
+    Trace "trace" { version: Version, plant: String, plant_text as "plantText": String, ms: u32 } -> String;
     /// What a machine did with it about a time at which something went wrong.
     Replay "replay" {
         version: Version, plant: String, plant_text as "plantText": String, scenario: Option<String>, at: u32, why: String,
         speak: Speak
-    } -> "Replayed";
+    } -> Replay;
     /// The picture of a machine that stands.
-    Picture "picture" { name: String, text: String, board: Board, speak: Speak } -> "string";
+    Picture "picture" { name: String, text: String, board: Board, speak: Speak } -> String;
     /// The image of a card with this PROGRAM.TXT.
-    Card "card" { program: String, state: bool, board: Board } -> "CardImage";
+    Card "card" { program: String, state: bool, board: Board } -> Card;
     /// A file of a card, by its name, from the blocks that are not empty; null where there is none.
-    Read "read" { blocks: Blocks, name: String } -> "string | null";
+    Read "read" { blocks: Blocks, name: String } -> Option<String>;
     /// Bytes that are free on a card; null where it has no FAT16 or FAT32.
-    Free "free" { blocks: Blocks } -> "number | null";
+    Free "free" { blocks: Blocks } -> Option<u64>;
     /// A machine to control, from its file; it stands until it is stepped. `keep`: the one that is open goes on, and is told
     /// in this language; `find`: a scenario that hides a fault in it.
     Machine "machine" {
         name: String, text: String, speak: Speak, keep: Option<bool>, find: Option<String>, board: Board
-    } -> "MachineFacts";
+    } -> Known;
     /// What has changed of its picture.
-    MachineLook "machineLook" {} -> "MachineLook";
+    MachineLook "machineLook" {} -> Look;
     /// A person there changes something.
-    MachineHand "machineHand" { part: usize, value: usize, to: i32 } -> "null";
+    MachineHand "machineHand" { part: usize, value: usize, to: i32 } -> ();
     /// A part of it fails, or is mended.
-    MachineFault "machineFault" { part: usize, fault: String, is: bool } -> "null";
+    MachineFault "machineFault" { part: usize, fault: String, is: bool } -> ();
     /// A person forces a point of the board: a step of a search.
-    MachineForced "machineForced" {} -> "null";
+    MachineForced "machineForced" {} -> ();
     /// A person names the fault that is hidden in it; how far they are.
-    MachineName "machineName" { part: usize, fault: String } -> "Searched | null";
+    MachineName "machineName" { part: usize, fault: String } -> Option<Searched>;
     /// As it was at first.
-    MachineReset "machineReset" {} -> "null";
+    MachineReset "machineReset" {} -> ();
     /// There is none any longer.
-    MachineClose "machineClose" {} -> "null";
+    MachineClose "machineClose" {} -> ();
     /// Firmware for a board, as Intel hex; the answer is the rate of its boot loader.
-    Flash "flash" { hex: String, model: String } -> "number";
+    Flash "flash" { hex: String, model: String } -> u32;
     /// A step of that.
-    FlashStep "flashStep" { now: f64, came: Vec<u8> } -> "FlashStep";
+    FlashStep "flashStep" { now: f64, came: Vec<u8> } -> flash::Step;
     /// The line is gone meanwhile, and why.
-    FlashLose "flashLose" { why: String } -> "null";
+    FlashLose "flashLose" { why: String } -> ();
     /// The elements that can be drawn.
-    Palette "palette" {} -> "readonly Shelf[]";
+    Palette "palette" {} -> Vec<Shelf>;
     /// A drawing, of a text and what was done to it; `name`: what its file is called now.
-    Draw "draw" { base: Text, log: Log, name: Option<String>, board: Board, width: Columns, speak: Speak } -> "Drawn";
+    Draw "draw" { base: Text, log: Log, name: Option<String>, board: Board, width: Columns, speak: Speak } -> Box<View>;
     /// Something done to it; what a page shows of it then.
-    Edit "edit" { act: Option<Below>, name: Option<String>, board: Board, width: Columns, speak: Speak } -> "Drawn";
+    Edit "edit" { act: Option<Below>, name: Option<String>, board: Board, width: Columns, speak: Speak } -> Box<View>;
     /// Its text in another form.
-    Drawn "drawn" { form as "as": String } -> "string";
+    Drawn "drawn" { form as "as": String } -> String;
     /// What of it has these words in it.
-    Find "find" { words: String } -> "readonly number[]";
+    Find "find" { words: String } -> Vec<u32>;
 }

@@ -9,15 +9,13 @@ use super::undone::Undone;
 use super::watched::Watched;
 use crate::program::source;
 use crate::words::{self, Both, both, told};
-use unoclp_client::diagnostics;
-use unoclp_client::map::{Command, State, holding};
+use unoclp_client::map::{Command, State};
 use unoclp_client::point;
 use unoclp_client::settings::Settings;
-use unoclp_client::upload::{Broken, Pass, Progress, go_on, needs, stop, upload};
+use unoclp_client::upload::{Broken, Pass, Progress, go_on, needs, stop, upload_program};
 use unoclp_client::watch::{Side, Wish};
-use unoclp_client::{AT_A_LINE, Client, Failure};
+use unoclp_client::{AT_A_LINE, Client};
 use unoclp_lang::no_such_point;
-use unoclp_modbus::Exception;
 use unoclp_point::Address;
 use unoclp_program::{Lang, not_sent};
 use unoclp_workspace::Analysis;
@@ -37,9 +35,6 @@ pub(super) async fn fulfil(
         Order::Release => wish(client, Wish::Release).await,
         Order::Force { output, number, to } => {
             let side = if output { Side::Outputs } else { Side::Inputs };
-            if to.is_some() {
-                end_forcing(client).await?;
-            }
             wish(client, Wish::Force(side, number.saturating_sub(1), to)).await
         }
         Order::Set { point: name, value } => {
@@ -69,20 +64,12 @@ pub(super) async fn fulfil(
     }
 }
 
+/// What is forced ends at the board after so many seconds without a request: a page may be closed at any moment.
+const END_FORCING: u8 = 30;
+
 async fn wish(client: &mut Client, wish: Wish) -> Result<Option<Both>, Undone> {
-    wish.fulfil(client).await?;
+    wish.fulfil_until(client, Some(END_FORCING)).await?;
     Ok(None)
-}
-
-/// What is forced ends at the board behind so many seconds without a request: a page may be closed at any moment.
-const END_FORCING: u16 = 30;
-
-async fn end_forcing(client: &mut Client) -> Result<(), Undone> {
-    match client.set_word(holding::FORCING_ENDS, END_FORCING).await {
-        // Older firmware has no end of forcing.
-        Err(Failure::Refused(Exception::IllegalDataAddress)) => Ok(()),
-        other => Ok(other?),
-    }
 }
 
 async fn put(
@@ -97,7 +84,6 @@ async fn put(
         let why = both(|lang| not_sent(source, lang).unwrap_or_default());
         return Err(Undone::Told(why));
     }
-    let sent = diagnostics::Kept::of(source.program());
     let needs = needs(source.program());
     let before = stop(client).await?;
     if before.program.version < needs {
@@ -115,7 +101,7 @@ async fn put(
             Progress::Storing => News::Storing { order: number },
         });
     };
-    let kept = upload(client, &source.code, sent, &mut show).await;
+    let kept = upload_program(client, source.program(), &source.code, &mut show).await;
     let kept = kept.map_err(|broken| both(|lang| words::broken(lang, &broken)))?;
     desk.tell(News::Stored(Kept::from(kept)));
     desk.watched.replace(Some(Watched::new(text)?));

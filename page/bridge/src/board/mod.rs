@@ -1,7 +1,7 @@
 //! Conversations with boards, simulated or real: bytes and times in, bytes and news out.
 //!
 //! - `watched`: the program that a board is said to run, and what of it is shown live
-//! - `talk`: what is said: finding the board, reading it again and again, and doing what is ordered in between
+//! - `talk`: what is said, as a view of the client's session
 //! - `order`, `wanted`: what may be ordered; `fulfil`, `settle`: how it is done; `undone`: why not
 //! - `news`: what a page is told
 //! - `core`: a board that is none: the core runs the program, and there is no line
@@ -24,14 +24,15 @@ mod watched;
 
 pub use order::Order;
 
+use crate::answer::answer;
 use crate::clock::{NEVER, time, whole_ms};
 use crate::words::{self, Both, No, both};
 use core::Core;
 use desk::Desk;
 use news::News;
-use serde::Serialize;
 use std::collections::BTreeMap;
 use std::rc::Rc;
+use unoclp_client::session::talk;
 use unoclp_client::{Conversation, Line, Next, Parity, Patience};
 use unoclp_core::Board;
 use unoclp_workspace::{Analysis, Workspace};
@@ -51,14 +52,15 @@ pub struct Open {
     pub parity: Option<u16>,
 }
 
-/// A step of a conversation.
-#[derive(Debug, Serialize)]
-pub struct Step {
-    /// To be sent now.
-    send: Vec<u8>,
-    /// The next step comes at this time, in whole ms, or as soon as bytes have come or something is ordered.
-    until: u64,
-    news: Vec<News>,
+answer! {
+    /// A step of a conversation.
+    pub struct Step as "Step" {
+        /// To be sent now.
+        send: Vec<u8>,
+        /// The next step comes at this time, in whole ms, or as soon as bytes have come or something is ordered.
+        until: u64,
+        news: Vec<News>,
+    }
 }
 
 struct Session {
@@ -134,7 +136,7 @@ impl Boards {
         desk.watched.replace(program);
         let talks = desk.clone();
         let reset = open.reset;
-        let talk = async move |client: &mut _| talk::talk(client, &talks, reset).await;
+        let talk = async move |client: &mut _| talk(client, &*talks, reset).await;
         let with = match open.core {
             Some(board) => {
                 desk.tell(News::Found {

@@ -1,9 +1,9 @@
 //! What a page is told of a board.
 
 use super::watched::Live;
+use crate::answer::{answer, spoken};
 use crate::facts::numbers;
 use crate::words::{self, Both, both};
-use serde::Serialize;
 use unoclp_client::diagnostics::{self, Diagnostics};
 use unoclp_client::map::{State, cause, flag};
 use unoclp_client::settings::Settings;
@@ -11,80 +11,82 @@ use unoclp_client::watch::{Forces, Meter, Reading};
 
 pub(super) use crate::program::Stored as Kept;
 
-/// What a page is told.
-#[derive(Debug, Serialize)]
-#[serde(tag = "news", rename_all = "camelCase")]
-pub enum News {
-    /// A board has answered.
-    Found { identity: String },
-    /// There is no board, or no longer one. It is sought on.
-    Lost { why: Both },
-    /// All that there is to show.
-    Seen(Box<Seen>),
-    /// So many bytes of an upload have been sent.
-    Sent { order: u32, bytes: usize, of: usize },
-    /// The board stores what was uploaded.
-    Storing { order: u32 },
-    /// What the board keeps since an upload.
-    Stored(Kept),
-    /// What the board keeps for its next start.
-    Settings(Line),
-    /// Something ordered was done, and what there is to say of it.
-    Done { order: u32, said: Option<Both> },
-    /// Something ordered was not done, and why.
-    Undone { order: u32, why: Both },
+spoken! {
+    /// What a page is told.
+    pub enum News as "News", by "news" {
+        /// A board has answered.
+        Found { identity: String },
+        /// There is no board, or no longer one. It is sought on.
+        Lost { why: Both },
+        /// All that there is to show.
+        Seen(Box<Seen>),
+        /// So many bytes of an upload have been sent.
+        Sent { order: u32, bytes: usize, of: usize },
+        /// The board stores what was uploaded.
+        Storing { order: u32 },
+        /// What the board keeps since an upload.
+        Stored(Kept),
+        /// What the board keeps for its next start.
+        Settings(Line),
+        /// Something ordered was done, and what there is to say of it.
+        Done { order: u32, said: Option<Both> },
+        /// Something ordered was not done, and why.
+        Undone { order: u32, why: Both },
+    }
 }
 
-/// A reading.
-#[derive(Debug, Default, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Seen {
-    /// ms since the board's start.
-    pub(super) at: u32,
-    /// `RUN`, `STOP`, `FAULT`; `EMPTY`: nobody has given it a program yet.
-    pub(super) state: &'static str,
-    pub(super) switched_off: bool,
-    pub(super) card_failed: bool,
-    pub(super) fault: Option<Trouble>,
-    pub(super) cause: &'static str,
-    /// µs: last, least, most.
-    pub(super) scan_times: [u16; 3],
-    pub(super) free_stack: u16,
-    pub(super) supply: u32,
-    pub(super) restarts: u16,
-    pub(super) faults: u16,
-    pub(super) kept: Kept,
-    /// Whether the board keeps the program that is watched; none: none is.
-    pub(super) same: Option<bool>,
-    /// The numbers of those that are 1.
-    pub(super) inputs: Vec<u8>,
-    pub(super) outputs: Vec<u8>,
-    /// Outputs with PWM, and what of 255; those of the core alone, since a line tells none.
-    pub(super) dimmed: Vec<(u8, u8)>,
-    /// The numbers of those that are forced, and to what.
-    pub(super) forced_inputs: Vec<(u8, bool)>,
-    pub(super) forced_outputs: Vec<(u8, bool)>,
-    /// Seconds without a request that end it; 0, 255: none do.
-    pub(super) forcing_ends: Option<u8>,
-    /// The numbers of those that are 1.
-    pub(super) markers: Vec<u8>,
-    pub(super) analogue: Vec<u16>,
-    /// From 01 on.
-    pub(super) registers: Vec<i32>,
-    /// Elapsed and preset, from 01 on.
-    pub(super) timers: Vec<[i32; 2]>,
-    pub(super) counters: Vec<[i32; 2]>,
-    /// None where another program runs than the one that is watched, or none does.
-    pub(super) live: Option<Live>,
+answer! {
+    /// A reading.
+    #[derive(Default)]
+    pub struct Seen as "Seen" {
+        /// ms since the board's start.
+        pub(super) at: u32,
+        /// `RUN`, `STOP`, `FAULT`; `EMPTY`: nobody has given it a program yet.
+        pub(super) state: &'static str => "\"RUN\" | \"STOP\" | \"FAULT\" | \"EMPTY\" | \"?\"",
+        pub(super) switched_off: bool,
+        pub(super) card_failed: bool,
+        pub(super) fault: Option<Trouble>,
+        pub(super) cause: &'static str,
+        /// µs: last, least, most.
+        pub(super) scan_times: [u16; 3],
+        pub(super) free_stack: u16,
+        pub(super) supply: u32,
+        pub(super) restarts: u16,
+        pub(super) faults: u16,
+        pub(super) kept: Kept,
+        /// Whether the board keeps the program that is watched; none: none is.
+        pub(super) same: Option<bool>,
+        /// The numbers of those that are 1.
+        pub(super) inputs: Vec<u8>,
+        pub(super) outputs: Vec<u8>,
+        /// Outputs with PWM, and what of 255; those of the core alone, since a line tells none.
+        pub(super) dimmed: Vec<(u8, u8)>,
+        /// The numbers of those that are forced, and to what.
+        pub(super) forced_inputs: Vec<(u8, bool)>,
+        pub(super) forced_outputs: Vec<(u8, bool)>,
+        /// Seconds without a request that end it; 0, 255: none do.
+        pub(super) forcing_ends: Option<u8>,
+        /// The numbers of those that are 1.
+        pub(super) markers: Vec<u8>,
+        pub(super) analogue: Vec<u16>,
+        /// From 01 on.
+        pub(super) registers: Vec<i32>,
+        /// Elapsed and preset, from 01 on.
+        pub(super) timers: Vec<[i32; 2]>,
+        pub(super) counters: Vec<[i32; 2]>,
+        /// None where another program runs than the one that is watched, or none does.
+        pub(super) live: Option<Live>,
+    }
 }
 
-/// A fault.
-#[derive(Debug, Serialize)]
-pub(super) struct Trouble {
-    number: u16,
-    /// Of the text of the program that is watched.
-    line: Option<u32>,
-    text: Both,
+answer! {
+    /// A fault.
+    pub(super) struct Trouble as "Trouble" {
+        number: u16,
+        /// Of the text of the program that is watched.
+        line: Option<u32>,
+        text: Both,
+    }
 }
 
 impl Trouble {
@@ -153,15 +155,17 @@ fn forced(forces: Forces) -> Vec<(u8, bool)> {
     numbers(forces.points).into_iter().map(to).collect()
 }
 
-/// The settings as a page has them.
-#[derive(Clone, Debug, Serialize)]
-pub struct Line {
-    pub address: u8,
-    pub rate: u32,
-    /// 0 none, 1 even, 2 odd.
-    pub parity: u16,
-    pub direction: bool,
-    pub lock: Option<u8>,
+answer! {
+    /// The settings as a page has them.
+    #[derive(Clone)]
+    pub struct Line as "Settings" {
+        pub address: u8,
+        pub rate: u32,
+        /// 0 none, 1 even, 2 odd.
+        pub parity: u16,
+        pub direction: bool,
+        pub lock: Option<u8>,
+    }
 }
 
 impl From<Settings> for Line {

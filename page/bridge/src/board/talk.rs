@@ -1,4 +1,4 @@
-//! What is said to a board.
+//! What is said to a board, and what a page hears of it.
 
 use super::desk::Desk;
 use super::fulfil::fulfil;
@@ -6,82 +6,74 @@ use super::news::{News, Seen};
 use super::order::Order;
 use super::undone::Undone;
 use super::watched::Watched;
-use crate::words::{self, both};
-use std::time::Duration;
-use unoclp_client::live::{Live, Parts};
-use unoclp_client::start::find;
+use crate::words::{self, Both, both};
+use unoclp_client::live::Parts;
+use unoclp_client::session::{self, Away, Change, Event};
 use unoclp_client::watch::{Reading, Scope};
 use unoclp_client::{Client, Failure};
 
-/// Time until a board that is lost is sought again.
-const AGAIN: Duration = Duration::from_secs(1);
+impl session::Desk for Desk {
+    /// With the number by which the news speak of it.
+    type Order = (u32, Order);
 
-/// Finds the board, watches it, and does what is ordered, until the line is gone.
-pub async fn talk(client: &mut Client, desk: &Desk, mut reset: bool) {
-    loop {
-        let lost = match find(client, reset).await {
-            Ok(identity) => {
-                let identity = identity.to_string();
-                desk.tell(News::Found { identity });
-                let failure = watch(client, desk).await;
-                both(|lang| words::failure(lang, &failure))
+    fn wants(&self) -> (Scope, Parts) {
+        let watched = self.watched.borrow();
+        watched.as_ref().map(Watched::scope).unwrap_or_default()
+    }
+
+    fn hear(&self, event: Event<'_>) {
+        self.tell(match event {
+            Event::Found(identity) => News::Found {
+                identity: identity.to_string(),
+            },
+            Event::Seen(reading) => see(reading, &mut self.watched.borrow_mut()),
+            Event::Lost(away) => News::Lost { why: why(away) },
+        });
+    }
+
+    fn has_orders(&self) -> bool {
+        !self.orders.borrow().is_empty()
+    }
+
+    fn next(&self) -> Option<(u32, Order)> {
+        self.orders.borrow_mut().pop_front()
+    }
+
+    fn change(&self, (_, order): &(u32, Order)) -> Change {
+        match order {
+            Order::Force { .. } | Order::Release | Order::Set { .. } => Change::Points,
+            _ => Change::All,
+        }
+    }
+
+    async fn fulfil(
+        &self,
+        client: &mut Client,
+        (order, what): (u32, Order),
+    ) -> Result<(), Failure> {
+        match fulfil(client, self, order, what).await {
+            Ok(said) => self.tell(News::Done { order, said }),
+            Err(Undone::Told(why)) => self.tell(News::Undone { order, why }),
+            Err(Undone::Lost(failure)) => {
+                let why = both(|lang| words::failure(lang, &failure));
+                self.tell(News::Undone { order, why });
+                return Err(failure);
             }
-            Err(why) => both(|lang| words::not_found(lang, &why)),
-        };
-        desk.tell(News::Lost { why: lost.clone() });
-        // Nothing that was ordered is done behind a person's back, once the board is there again.
-        for (order, _) in desk.orders.take() {
-            let why = lost.clone();
-            desk.tell(News::Undone { order, why });
         }
-        if let Err(Failure::Lost(_)) = client.pause(AGAIN, || false).await {
-            return;
-        }
-        // A request would disturb the boot loader of a board that comes back.
-        reset = true;
+        Ok(())
+    }
+
+    fn undone(&self, (order, _): (u32, Order), away: &Away) {
+        let why = why(away);
+        self.tell(News::Undone { order, why });
     }
 }
 
-/// Reads the board again and again, and does what is ordered in between; says how it was lost.
-async fn watch(client: &mut Client, desk: &Desk) -> Failure {
-    let mut live = Live::default();
-    loop {
-        let (scope, parts) = match &*desk.watched.borrow() {
-            Some(watched) => watched.scope(),
-            None => (Scope::default(), Parts::default()),
-        };
-        let reading = match live.round(client, scope, parts).await {
-            Ok(reading) => reading,
-            Err(failure) => return failure,
-        };
-        desk.tell(see(reading, &mut desk.watched.borrow_mut()));
-        let are_there = || !desk.orders.borrow().is_empty();
-        if let Err(failure) = live.pause(client, are_there).await {
-            return failure;
-        }
-        while let Some((order, what)) = next(desk) {
-            // What they bring about is shown at once.
-            match what {
-                Order::Force { .. } | Order::Release | Order::Set { .. } => {
-                    live.points_have_changed();
-                }
-                _ => live.all_has_changed(),
-            }
-            match fulfil(client, desk, order, what).await {
-                Ok(said) => desk.tell(News::Done { order, said }),
-                Err(Undone::Told(why)) => desk.tell(News::Undone { order, why }),
-                Err(Undone::Lost(failure)) => {
-                    let why = both(|lang| words::failure(lang, &failure));
-                    desk.tell(News::Undone { order, why });
-                    return failure;
-                }
-            }
-        }
-    }
-}
-
-fn next(desk: &Desk) -> Option<(u32, Order)> {
-    desk.orders.borrow_mut().pop_front()
+fn why(away: &Away) -> Both {
+    both(|lang| match away {
+        Away::NotFound(why) => words::not_found(lang, why),
+        Away::Gone(failure) => words::failure(lang, failure),
+    })
 }
 
 fn see(reading: &Reading, watched: &mut Option<Watched>) -> News {

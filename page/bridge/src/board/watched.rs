@@ -1,8 +1,8 @@
 //! The program that a board is said to run, and what of it is shown live.
 
+use crate::answer::{answer, spoken};
 use crate::program::source;
 use crate::words::{self, No, both};
-use serde::Serialize;
 use unoclp_checked::SourceMap;
 use unoclp_client::diagnostics::{Kept, Trouble};
 use unoclp_client::live::Parts;
@@ -33,34 +33,35 @@ pub struct Watched {
     parts: Parts,
 }
 
-/// What is shown live.
-#[derive(Debug, Serialize)]
-pub struct Live {
-    /// The nets that carry power.
-    nets: Vec<u32>,
-    /// Steps, and what their boxes say.
-    boxes: Vec<(usize, String)>,
-    /// Steps, and the value after them.
-    values: Vec<(usize, Number)>,
-    /// For each line of the text: null, whether it has power, a number, or the literal of another type: `T#1s`.
-    lines: Vec<Shown>,
+answer! {
+    /// What is shown live.
+    pub struct Live as "Live" {
+        /// The nets that carry power.
+        nets: Vec<u32>,
+        /// Steps, and what their boxes say.
+        boxes: Vec<(usize, String)>,
+        /// Steps, and the value after them.
+        values: Vec<(usize, Number)>,
+        /// For each line of the text: null, whether it has power, a number, or the literal of another type: `T#1s`.
+        lines: Vec<Shown>,
+    }
 }
 
-/// What a box shows.
-#[derive(Debug, Serialize)]
-#[serde(untagged)]
-enum Number {
-    Whole(i32),
-    Real(f32),
+spoken! {
+    /// What a box shows.
+    enum Number as "number", either {
+        Whole(i32),
+        Real(f32),
+    }
 }
 
-/// What a line shows.
-#[derive(Debug, Serialize)]
-#[serde(untagged)]
-enum Shown {
-    Power(Option<bool>),
-    Value(i32),
-    Literal(String),
+spoken! {
+    /// What a line shows.
+    enum Shown as "boolean | number | string | null", either {
+        Power(Option<bool>),
+        Value(i32),
+        Literal(String),
+    }
 }
 
 impl Watched {

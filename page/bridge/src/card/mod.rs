@@ -2,11 +2,11 @@
 
 mod room;
 
+use crate::answer::answer;
 use crate::given::{Given, wrong};
 use crate::program::source;
 use crate::words::{self, Both, No, both};
 use room::BLOCK;
-use serde::Serialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use unoclp_card::image::{Fat, Image};
@@ -17,13 +17,14 @@ use unoclp_workspace::Analysis;
 /// The file in which the board keeps inputs and outputs, before it has done so.
 const STATE: &[u8] = include_bytes!("../../../../programs/STATE.TXT");
 
-/// A card.
-#[derive(Debug, Serialize)]
-pub struct Card {
-    /// Of the whole card.
-    bytes: usize,
-    /// Those that are not empty: number, and hexadecimal digits of 512 bytes.
-    blocks: Vec<(usize, String)>,
+answer! {
+    /// A card.
+    pub struct Card as "CardImage" {
+        /// Of the whole card.
+        bytes: usize,
+        /// Those that are not empty: number, and hexadecimal digits of 512 bytes.
+        blocks: Vec<(usize, String)>,
+    }
 }
 
 /// A card with this PROGRAM.TXT on it, and a STATE.TXT if that is asked for.

@@ -14,17 +14,18 @@ use crate::draw::Speak;
 use crate::given::Given;
 use crate::program;
 use crate::words::{Both, No, both};
+pub use act::Act;
 use serde_json::Value;
 use shown::Shown;
 use unoclp_core::Board;
-use unoclp_draw::edit::{Cursor, Direction, Document, Drawn, Editor, Emitted, Operation, Refusal};
+use unoclp_draw::edit::{
+    Canvas, Cursor, Direction, Document, Drawn, Editor, Emitted, Operation, Refusal,
+};
 use unoclp_edit::{Amiss, ask, find, insertion, naming, operations, unfinished};
 use unoclp_program::drawn::{self, Lost, WriteAs};
 use unoclp_program::{Lang, Written};
 use unoclp_workspace::{Analysis, Workspace};
-use view::View;
-
-pub use act::Act;
+pub use view::View;
 
 /// The drawing that is open.
 pub struct Drawing {
@@ -39,6 +40,8 @@ pub struct Drawing {
     written: Vec<(Document, Written)>,
     /// What a page has of it.
     shown: Option<Shown>,
+    /// How a page has it drawn.
+    canvas: Option<Canvas>,
 }
 
 /// The widest drawing, columns.
@@ -66,6 +69,7 @@ impl Drawing {
             form,
             board,
             shown: None,
+            canvas: None,
         };
         for act in log {
             let act = Given::of(act).ok_or_else(|| crate::given::wrong("log"))?;
@@ -194,9 +198,16 @@ impl Drawing {
             Some(shown) => shown,
             None => self.look(workspace),
         };
-        let sheet = (shown.drawn_as != Some((width, lang)))
-            .then(|| view::sheet(self.editor.document(), &shown.drawn, width, lang));
-        shown.drawn_as = Some((width, lang));
+        let form = (width, lang);
+        let mut sheet = None;
+        if shown.drawn_as != Some(form) {
+            let before = self.canvas.as_ref();
+            let document = self.editor.document();
+            let canvas = view::canvas(document, &shown.drawn, form, before);
+            sheet = Some(view::Sheet::of(&canvas));
+            self.canvas = Some(canvas);
+            shown.drawn_as = Some(form);
+        }
         let view = View::of(&self.editor, &shown, sheet);
         self.shown = Some(shown);
         view

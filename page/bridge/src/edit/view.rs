@@ -1,15 +1,16 @@
 //! What a page shows of a drawing.
 
 use super::shown::Shown;
+use crate::answer::answer;
 use crate::words::{Both, both};
 use serde::{Serialize, Serializer};
 use unoclp_draw::Area;
-use unoclp_draw::edit::{Canvas, Document, Drawn, Editor, Place};
+use unoclp_draw::edit::{self, Canvas, Document, Drawn, Editor, Place, Strip};
 use unoclp_edit::{At, wrong};
 use unoclp_program::Lang;
 use unoclp_program::list::title;
 
-/// A rectangle of the drawing: left and upper edge, width, height.
+/// A rectangle of a rung's drawing: left and upper edge, width, height.
 #[derive(Debug)]
 struct Rectangle([f32; 4]);
 
@@ -28,58 +29,87 @@ impl Serialize for Rectangle {
     }
 }
 
-/// What a page shows.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct View {
-    /// Left out where it is as it was.
-    sheet: Option<Sheet>,
-    cursor: [u32; 2],
-    /// All that is selected.
-    selected: Vec<u32>,
-    at: At,
-    /// How many changes can be undone, and done again.
-    undo: usize,
-    redo: usize,
-    mistakes: Vec<Told>,
-    /// Whether the drawing is a program.
-    is_program: bool,
-    /// The version of its text, and that; none where it is not a program.
-    version: Option<u32>,
-    text: Option<String>,
-    /// What a change loses of the text that a person has written; none: nothing.
-    loses: Option<Both>,
-    title: String,
-    table: Vec<Named>,
-    /// Whether there is something to paste.
-    copied: bool,
+#[cfg(test)]
+impl crate::answer::Typed for Rectangle {
+    fn name() -> String {
+        "Rectangle".to_owned()
+    }
 }
 
-/// The drawing.
-#[derive(Debug, Serialize)]
-pub struct Sheet {
-    svg: String,
-    area: Rectangle,
-    spots: Vec<(u32, Rectangle)>,
-    places: Vec<(u32, &'static str, Rectangle)>,
+answer! {
+    /// What a page shows.
+    pub struct View as "Drawn" {
+        /// Left out where it is as it was.
+        sheet: Option<Sheet>,
+        cursor: [u32; 2],
+        /// All that is selected.
+        selected: Vec<u32>,
+        at: At,
+        /// How many changes can be undone, and done again.
+        undo: usize,
+        redo: usize,
+        mistakes: Vec<Told>,
+        /// Whether the drawing is a program.
+        is_program: bool,
+        /// The version of its text, and that; none where it is not a program.
+        version: Option<u32>,
+        text: Option<String>,
+        /// What a change loses of the text that a person has written; none: nothing.
+        loses: Option<Both>,
+        title: String,
+        table: Vec<Named>,
+        /// Whether there is something to paste.
+        copied: bool,
+    }
 }
 
-/// A mistake.
-#[derive(Debug, Serialize)]
-struct Told {
-    at: Option<u32>,
-    /// Its rung, from 1.
-    rung: usize,
-    error: bool,
-    message: Both,
+answer! {
+    /// The drawing.
+    pub struct Sheet as "DrawnSheet" {
+        width: f32,
+        height: f32,
+        rungs: Vec<Rung>,
+    }
 }
 
-/// A row of the symbol table.
-#[derive(Debug, Serialize)]
-struct Named {
-    point: String,
-    name: String,
-    comment: String,
+answer! {
+    /// A rung where it stands: its upper edge, and how many nets and steps there are before its own.
+    struct Rung as "RungDrawn" {
+        id: u32,
+        top: f32,
+        nets: u32,
+        first: usize,
+        /// Left out where it is as it was.
+        drawn: Option<RungDrawing>,
+    }
+}
+
+answer! {
+    /// A rung wherever it stands.
+    struct RungDrawing as "RungDrawing" {
+        svg: String,
+        places: Vec<(u32, &'static str, Rectangle)> => "readonly (readonly [number, Place, Rectangle])[]",
+    }
+}
+
+answer! {
+    /// A mistake.
+    struct Told as "Mistake" {
+        at: Option<u32>,
+        /// Its rung, from 1.
+        rung: usize,
+        error: bool,
+        message: Both,
+    }
+}
+
+answer! {
+    /// A row of the symbol table.
+    struct Named as "Named" {
+        point: String,
+        name: String,
+        comment: String,
+    }
 }
 
 impl View {
@@ -131,31 +161,53 @@ impl View {
     }
 }
 
-/// The drawing of a document, of so many columns, in a language.
-pub fn sheet(document: &Document, drawn: &Drawn, width: usize, lang: Lang) -> Sheet {
+/// The drawing of a document, of so many columns, in a language; a page has the one before.
+pub fn canvas(
+    document: &Document,
+    drawn: &Drawn,
+    (width, lang): (usize, Lang),
+    before: Option<&Canvas>,
+) -> Canvas {
     let title = title(lang);
-    let about = document.title().first().cloned().unwrap_or_default();
-    Sheet::of(drawn.canvas(document, width, &|number| title(number, None), &about))
+    drawn.canvas(document, width, &|number| title(number, None), before)
 }
 
 impl Sheet {
-    fn of(canvas: Canvas) -> Sheet {
-        let rectangle = |area: Area| Rectangle([area.x, area.y, area.width, area.height]);
-        let places = canvas.places.into_iter().map(|opening| {
+    pub(super) fn of(canvas: &Canvas) -> Sheet {
+        let (width, height) = canvas.size;
+        let rung = |strip: &Strip| Rung {
+            id: strip.id.0,
+            top: strip.top,
+            nets: strip.nets,
+            first: strip.first,
+            drawn: strip.is_new.then(|| RungDrawing::of(&strip.drawn)),
+        };
+        Sheet {
+            width,
+            height,
+            rungs: canvas.rungs.iter().map(rung).collect(),
+        }
+    }
+}
+
+impl RungDrawing {
+    fn of(drawn: &edit::RungDrawing) -> RungDrawing {
+        let places = drawn.places.iter().map(|opening| {
             let place = match opening.place {
                 Place::Before => "before",
                 Place::Behind => "behind",
                 Place::Beside => "beside",
             };
-            (opening.at.0, place, rectangle(opening.area))
+            let Area {
+                x,
+                y,
+                width,
+                height,
+            } = opening.area;
+            (opening.at.0, place, Rectangle([x, y, width, height]))
         });
-        let spots = canvas.spots.into_iter();
-        Sheet {
-            svg: canvas.svg,
-            area: rectangle(canvas.area),
-            spots: spots
-                .map(|spot| (spot.id.0, rectangle(spot.area)))
-                .collect(),
+        RungDrawing {
+            svg: drawn.svg.clone(),
             places: places.collect(),
         }
     }

@@ -2,18 +2,15 @@
 // soon as it is ready.
 
 import { autocompletion, completeAnyWord } from "@codemirror/autocomplete";
-import { bracketMatching, matchBrackets } from "@codemirror/language";
+import { bracketMatching } from "@codemirror/language";
 import { lintKeymap } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { EditorState, type Extension } from "@codemirror/state";
 import { keymap } from "@codemirror/view";
 import type { Speak } from "../tools/answers";
 import { phrases } from "../words/editortable";
-import { find } from "./untreed";
 
 export { setDiagnostics } from "@codemirror/lint";
-
-find(matchBrackets);
 
 /** All of it, in the language that is spoken. */
 export const comforts = (language: Speak): Extension => [

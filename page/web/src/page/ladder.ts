@@ -1,6 +1,7 @@
-// The ladder: drawn once for each program, then only classes and short texts change.
+// The ladder: drawn once for each program, then only classes and short texts change. What a rung names, its nets and its
+// steps, counts from the rung's own first: a rung that is moved stays as it is.
 
-import type { Live, Seen } from "../tools/answers";
+import type { Drawn, Live, Seen } from "../tools/answers";
 import { dress, h, put } from "./dom";
 import { keep, kept } from "./kept";
 import { decimal } from "./numbers";
@@ -20,7 +21,20 @@ export interface Touched {
   point(point: string, at: DOMRect): void;
 }
 
+/** What is live in a rung. */
+interface Named {
+  readonly nets: readonly (readonly [net: number, Element])[];
+  readonly boxes: readonly (readonly [step: number, Element])[];
+  readonly values: readonly (readonly [step: number, Element])[];
+  readonly points: readonly (readonly [point: string, Element])[];
+}
+
+type Sheet = NonNullable<Drawn["sheet"]>;
+
+const SVG = "http://www.w3.org/2000/svg";
+
 export class LadderView {
+  private readonly named = new WeakMap<Element, Named>();
   private readonly nets = new Map<number, Element[]>();
   private readonly boxes = new Map<number, Element>();
   private readonly values = new Map<number, Element>();
@@ -64,22 +78,81 @@ export class LadderView {
     this.paper.innerHTML = svg;
     this.paper.scrollTo(scrollLeft, scrollTop);
     this.svg = this.paper.querySelector("svg");
+    this.find();
+  }
+
+  /** Shows a drawing that is edited: of a rung that is as it was only the place changes. */
+  change({ width, height, rungs }: Sheet): void {
+    const svg = this.svg ?? this.begin();
+    dress(svg, { viewBox: `0 0 ${width} ${height}` });
+    const all = svg.firstElementChild as SVGGElement;
+    const were = new Map(this.rungs().map((rung) => [Number(rung.dataset["id"]), rung]));
+    rungs.forEach(({ id, top, nets, first, drawn }, index) => {
+      const rung = drawn ? made(drawn.svg) : were.get(id);
+      if (!rung) return;
+      if (drawn) were.get(id)?.remove();
+      dress(rung, { "data-rung": index + 1, "data-nets": nets, "data-first": first, transform: `translate(0 ${top})` });
+      const there = all.children[index];
+      if (there !== rung) all.insertBefore(rung, there ?? null);
+    });
+    while (all.children.length > rungs.length) all.lastElementChild?.remove();
+    this.find();
+  }
+
+  /** An empty drawing. */
+  private begin(): SVGSVGElement {
+    const svg = document.createElementNS(SVG, "svg");
+    dress(svg, { class: "ladder", role: "img" });
+    svg.append(document.createElementNS(SVG, "g"));
+    this.paper.replaceChildren(svg);
+    this.svg = svg;
+    return svg;
+  }
+
+  private rungs(): SVGGElement[] {
+    return [...this.paper.querySelectorAll<SVGGElement>(".rung")];
+  }
+
+  /** Finds what is live in all of it. */
+  private find(): void {
+    for (const net of this.lit) this.light(net, false);
     this.lit = new Set();
     for (const map of [this.nets, this.boxes, this.values, this.points]) map.clear();
-    for (const one of this.paper.querySelectorAll<SVGElement>(".wire, .element")) {
-      const net = /\bn(\d+)\b/.exec(one.getAttribute("class") ?? "");
-      if (net) this.add(this.nets, Number(net[1]), one);
+    for (const rung of this.rungs()) {
+      const [before, first] = [Number(rung.dataset["nets"]), Number(rung.dataset["first"])];
+      const { nets, boxes, values, points } = this.namedIn(rung);
+      // The left rail is the same net in all of them.
+      for (const [net, one] of nets) this.add(this.nets, net === 0 ? 0 : before + net, one);
+      for (const [step, box] of boxes) this.boxes.set(first + step, box);
+      for (const [step, value] of values) this.values.set(first + step, value);
+      for (const [point, one] of points) this.add(this.points, point, one);
     }
-    for (const element of this.paper.querySelectorAll<SVGElement>(".element")) {
+    this.size();
+  }
+
+  private namedIn(rung: SVGGElement): Named {
+    const known = this.named.get(rung);
+    if (known) return known;
+    const nets: [number, Element][] = [];
+    const boxes: [number, Element][] = [];
+    const values: [number, Element][] = [];
+    const points: [string, Element][] = [];
+    for (const one of rung.querySelectorAll<SVGElement>(".wire, .element")) {
+      const net = /\bn(\d+)\b/.exec(one.getAttribute("class") ?? "");
+      if (net) nets.push([Number(net[1]), one]);
+    }
+    for (const element of rung.querySelectorAll<SVGElement>(".element")) {
       const last = Number(element.dataset["steps"]?.split(" ").at(-1));
       const box = element.querySelector(".boxed");
       const value = element.querySelector(".value");
-      if (box) this.boxes.set(last, box);
-      if (value) this.values.set(last, value);
+      if (box) boxes.push([last, box]);
+      if (value) values.push([last, value]);
       const point = element.dataset["point"];
-      if (point) this.add(this.points, point, element);
+      if (point) points.push([point, element]);
     }
-    this.size();
+    const named = { nets, boxes, values, points };
+    this.named.set(rung, named);
+    return named;
   }
 
   private add<K>(map: Map<K, Element[]>, key: K, element: Element): void {
@@ -118,4 +191,11 @@ export class LadderView {
   private light(net: number, on: boolean): void {
     for (const element of this.nets.get(net) ?? []) element.classList.toggle("on", on);
   }
+}
+
+/** A rung that Rust has drawn. */
+function made(svg: string): SVGGElement {
+  const around = document.createElementNS(SVG, "g");
+  around.innerHTML = svg;
+  return around.firstElementChild as SVGGElement;
 }

@@ -1,7 +1,7 @@
 // What may be asked of Rust, and what it answers. Made of page/bridge/src/ask/table.rs: do not edit it; the test of
 // page/bridge/src/ask/contract.rs writes it where UPDATE=1 is set.
 
-import type { Act, As, BoardFacts, CardImage, Checked, Drawn, Fared, FlashStep, MachineFacts, MachineLook, Order, Outcome, Replayed, Searched, Sheet, Shelf, Speak, Step, Text } from "./answers";
+import type { Act, Adapted, As, BoardFacts, CardImage, Checked, Drawn, Fared, FlashStep, LadderDrawn, MachineFacts, MachineLook, Order, Outcome, Replayed, Searched, Sheet, Shelf, Speak, Step, Text } from "./answers";
 
 export interface Asks {
   /** What a board has: each limit of its points and its memory, so that a page needs to know none. */
@@ -11,7 +11,7 @@ export interface Asks {
   /** What there is to say of a text: its problems, or its program. */
   check: { ask: { readonly version: number }; answer: Checked };
   /** Its ladder, for a page that shows it live, in so many columns where that is enough. */
-  ladder: { ask: { readonly version: number; readonly width: number; readonly speak?: Speak | undefined }; answer: { readonly svg: string } };
+  ladder: { ask: { readonly version: number; readonly width: number; readonly speak?: Speak | undefined }; answer: LadderDrawn };
   /** A conversation with a board, which is said to run this text; `core`: this computer runs its programs, and there is no line. */
   open: { ask: { readonly version: number | null; readonly reset: boolean; readonly core?: boolean | undefined; readonly board?: string | undefined; readonly address?: number | undefined; readonly rate?: number | undefined; readonly parity?: number | undefined }; answer: number };
   /** A step of it: what has come since the last one, at this time in ms since any moment. */
@@ -25,7 +25,7 @@ export interface Asks {
   /** Its program in another form. Instruction List that is made is compiled again, by all that there is. */
   list: { ask: { readonly version: number; readonly as: As; readonly width: number; readonly speak?: Speak | undefined }; answer: string };
   /** A text of another PLC with free points in the place of those that its board lacks, and those that found none; null in a language whose points are names of its own. */
-  adapt: { ask: { readonly version: number }; answer: { readonly text: string; readonly left: readonly string[] } | null };
+  adapt: { ask: { readonly version: number }; answer: Adapted | null };
   /** The ladder on pages of paper. */
   pages: { ask: { readonly version: number; readonly letter: boolean; readonly width: number; readonly speak?: Speak | undefined }; answer: readonly string[] };
   /** What an exercise asks. */

@@ -17,7 +17,7 @@ use unoclp_client::diagnostics::{Diagnostics, Kept};
 use unoclp_client::map::{State, flag};
 use unoclp_client::settings::read_lock;
 use unoclp_client::upload::{
-    Behind, Broken, FIRST_SCANS, Progress, end, go_on, needs, stop, upload as send,
+    Behind, Broken, FIRST_SCANS, Progress, end, go_on, needs, stop, upload_program as send,
 };
 use unoclp_client::watch::{Forced, Wish};
 use unoclp_client::{Client, lock};
@@ -164,8 +164,7 @@ impl Upload {
 
     /// Sends the program. Once the board stores it, that is waited for.
     fn send(&mut self) -> Result<Result<Kept, Broken>, Interrupted> {
-        let sent = Kept::of(self.program.program());
-        let code = &self.program.code;
+        let (program, text) = (self.program.program(), &self.program.code);
         let storing = Cell::new(false);
         let mut show = |progress| {
             storing.set(progress == Progress::Storing);
@@ -175,7 +174,7 @@ impl Upload {
             true => ControlFlow::Continue(()),
             false => self.interrupt.attend(),
         };
-        let talk = async |client: &mut _| send(client, code, sent, &mut show).await;
+        let talk = async |client: &mut _| send(client, program, text, &mut show).await;
         let sent = whole(self.port.attended(talk, attend))?;
         hide();
         Ok(sent)

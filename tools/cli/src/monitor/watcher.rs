@@ -2,16 +2,19 @@
 
 use crate::messages;
 use crate::port::{Place, Port, find};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
+use std::collections::VecDeque;
 use std::ops::ControlFlow;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender, TryRecvError};
 use std::thread;
 use std::time::Duration;
 use unoclp_client::diagnostics::Diagnostics;
 use unoclp_client::identity::Identity;
+use unoclp_client::live::Parts;
 use unoclp_client::map::{Command, State, flag};
-use unoclp_client::watch::{self, Reading, Scope, Seen, Wish, Wishes};
-use unoclp_client::{Failure, Patience};
+use unoclp_client::session::{self, Away, Change, Desk, Event};
+use unoclp_client::watch::{Reading, Scope, Wish};
+use unoclp_client::{Client, Failure, Patience};
 use unoclp_modbus::Exception;
 
 /// What the thread says.
@@ -95,19 +98,21 @@ impl Watcher {
 
     /// Watches the board until it is lost.
     fn watch(&self, mut port: Port) -> Result<Failure, Gone> {
-        let wishes = Wishes::default();
-        let listens = Cell::new(true);
-        let mut see = |seen| listens.set(listens.get() && self.say(news(seen)).is_ok());
+        let desk = At {
+            watcher: self,
+            wishes: RefCell::default(),
+            listens: Cell::new(true),
+        };
         let attend = || loop {
             match self.wishes.try_recv() {
-                Ok(wish) => wishes.push(wish),
-                Err(TryRecvError::Empty) if listens.get() => return ControlFlow::Continue(()),
+                Ok(wish) => desk.wishes.borrow_mut().push_back(wish),
+                Err(TryRecvError::Empty) if desk.listens.get() => {
+                    return ControlFlow::Continue(());
+                }
                 Err(_) => return ControlFlow::Break(Gone),
             }
         };
-        let talk = async |client: &mut _| {
-            watch::watch(client, self.scope, self.end_forcing, &wishes, &mut see).await
-        };
+        let talk = async |client: &mut _| session::watch(client, &desk).await;
         match port.attended(talk, attend) {
             ControlFlow::Continue(failure) => Ok(failure),
             ControlFlow::Break(gone) => Err(gone),
@@ -128,20 +133,73 @@ impl Watcher {
     }
 }
 
-/// What is seen of a board, in the words of the monitor.
-fn news(seen: Seen) -> News {
-    match seen {
-        Seen::Reading(reading) => News::Read(reading),
-        Seen::Refused(wish, Exception::ServerDeviceFailure, board) => {
-            News::Refused(refusal(wish, &board))
+/// The monitor at a board that it has found.
+struct At<'w> {
+    watcher: &'w Watcher,
+    wishes: RefCell<VecDeque<Wish>>,
+    listens: Cell<bool>,
+}
+
+impl At<'_> {
+    fn say(&self, news: News) {
+        self.listens
+            .set(self.listens.get() && self.watcher.say(news).is_ok());
+    }
+}
+
+impl Desk for At<'_> {
+    type Order = Wish;
+
+    /// A person looks at all of it.
+    fn wants(&self) -> (Scope, Parts) {
+        (self.watcher.scope, Parts::ALL)
+    }
+
+    fn hear(&self, event: Event<'_>) {
+        // That it is found and lost is said with its port.
+        if let Event::Seen(reading) = event {
+            self.say(News::Read(Box::new(reading.clone())));
         }
-        Seen::Refused(wish, Exception::IllegalFunction, _) => News::Refused(match wish {
-            Wish::Command(_) => messages::refused_commands(),
-            Wish::Force(..) | Wish::Release => messages::refused_writing(),
-        }),
-        Seen::Refused(_, exception, _) => {
-            News::Refused(messages::failure(&Failure::Refused(exception)))
+    }
+
+    fn has_orders(&self) -> bool {
+        !self.wishes.borrow().is_empty()
+    }
+
+    fn next(&self) -> Option<Wish> {
+        self.wishes.borrow_mut().pop_front()
+    }
+
+    fn change(&self, wish: &Wish) -> Change {
+        match wish {
+            Wish::Force(..) | Wish::Release => Change::Points,
+            Wish::Command(_) => Change::All,
         }
+    }
+
+    async fn fulfil(&self, client: &mut Client, wish: Wish) -> Result<(), Failure> {
+        match wish.fulfil_until(client, self.watcher.end_forcing).await {
+            Err(Failure::Refused(exception)) => {
+                let board = Diagnostics::read(client).await?;
+                self.say(News::Refused(refused(wish, exception, &board)));
+                Ok(())
+            }
+            other => other,
+        }
+    }
+
+    fn undone(&self, _: Wish, _: &Away) {
+        self.say(News::Refused(messages::no_board_to_do_it()));
+    }
+}
+
+/// Why a board has refused something.
+fn refused(wish: Wish, exception: Exception, board: &Diagnostics) -> String {
+    match (exception, wish) {
+        (Exception::ServerDeviceFailure, _) => refusal(wish, board),
+        (Exception::IllegalFunction, Wish::Command(_)) => messages::refused_commands(),
+        (Exception::IllegalFunction, _) => messages::refused_writing(),
+        (other, _) => messages::failure(&Failure::Refused(other)),
     }
 }
 

@@ -22,6 +22,7 @@ mod monitor;
 mod nano;
 mod outputs;
 mod pages;
+mod payload;
 mod pc;
 mod plant;
 mod plcopen;

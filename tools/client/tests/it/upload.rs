@@ -5,10 +5,11 @@ use crate::line::Wire;
 use unoclp_client::diagnostics::{Kept, Trouble};
 use unoclp_client::map::{BLOCK_BYTES, Command, State, flag, holding};
 use unoclp_client::upload::{
-    Behind, Broken, FIRST_SCANS, Pass, Progress, end, go_on, stop, upload,
+    Behind, Broken, Codes, FIRST_SCANS, Pass, Progress, end, go_on, stop, upload, upload_program,
 };
 use unoclp_client::watch::Wish;
 use unoclp_client::{Failure, lock};
+use unoclp_core::{Loader, Program};
 use unoclp_modbus::eeprom::program::FORM;
 use unoclp_modbus::{Exception, Points};
 
@@ -56,6 +57,49 @@ fn a_program_is_sent_twice_and_stored() {
         assert!(shown.contains(&Progress::Storing));
         let behind = then(&mut wire, State::Run, sent, false);
         assert_eq!((behind, wire.board.state), (Behind::Run, RUN));
+    }
+}
+
+/// A program of this text.
+fn program<T>(text: &str, see: impl FnOnce(&Program<'_>) -> T) -> T {
+    let mut memory = [0; 2_000];
+    let mut loader = Loader::new(&mut memory, unoclp_core::Board::UNO);
+    text.bytes().for_each(|byte| loader.push(byte).unwrap());
+    see(&loader.finish().unwrap())
+}
+
+#[test]
+fn of_a_program_the_codes_are_sent() {
+    let plain = "/ about\n\n0 / start\n787600\n\t827301\r\n/ lamp\n877901\n\n/ end";
+    // A jump is stored with the number of its line.
+    let jumps = "/ about\n0\n\n766601 / again\n827301\n/ lamp\n877901\n74778001\n/ end";
+    for (text, sent) in [
+        (plain.to_owned(), "0\n787600\n827301\n877901\n"),
+        (
+            jumps.to_owned(),
+            "\n0\n\n766601\n827301\n\n877901\n74778001\n",
+        ),
+    ] {
+        let text = text.as_str();
+        let codes = program(text, |program| Codes::of(program, text.as_bytes()));
+        assert_eq!(codes.bytes(), sent.as_bytes());
+        // Where the board finds a fault, the text has that code.
+        for (number, line) in (1..).zip(sent.lines()) {
+            let found = codes.in_text(Trouble {
+                number: 24,
+                line: Some(number),
+            });
+            let at = found.line.unwrap() as usize - 1;
+            assert!(text.lines().nth(at).unwrap().contains(line), "{found:?}");
+        }
+        let mut wire = Wire::new(Board::in_state(STOP));
+        let kept = program(text, |program| {
+            wire.talk(async |client| {
+                upload_program(client, program, text.as_bytes(), &mut |_| ()).await
+            })
+        });
+        assert_eq!(wire.board.text, sent.as_bytes());
+        assert_eq!(kept, Ok(self::kept(text)));
     }
 }
 

@@ -1,101 +1,152 @@
 //! A board that is watched.
 
-use crate::fake::{Board, Fate, STOP};
-use crate::line::{MS, Wire};
+use crate::fake::{Board, Fate, RUN, STOP};
+use crate::line::Wire;
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use unoclp_client::diagnostics::Diagnostics;
+use unoclp_client::live::Parts;
 use unoclp_client::map::{Command, State, holding};
-use unoclp_client::watch::{Reading, Scope, Seen, Side, Wish, Wishes, watch};
+use unoclp_client::session::{Away, Change, Desk, Event, talk, watch};
+use unoclp_client::watch::{Reading, Scope, Side, Wish};
 use unoclp_client::{Client, Failure};
 use unoclp_modbus::Exception;
 
-/// Watches until the line fails, which it does after so many requests; says what was seen, and when.
-fn watched(
-    board: Board,
-    requests: u32,
-    end_forcing: Option<u8>,
-    mut act: impl FnMut(&Seen, &Wishes),
-) -> (Wire, Vec<Seen>, Failure) {
-    let mut count = 0;
-    let mut wire = Wire::with(board, move |_, _| {
-        count += 1;
-        if count > requests {
-            Fate::Unplugged
-        } else {
-            Fate::Answered
-        }
-    });
-    let wishes = Wishes::default();
-    let mut seen = Vec::new();
-    let failure = wire.talk(async |client: &mut Client| {
-        let mut see = |what: Seen| {
-            act(&what, &wishes);
-            seen.push(what);
-        };
-        watch(client, Scope::default(), end_forcing, &wishes, &mut see).await
-    });
-    (wire, seen, failure)
+/// Who watches: orders one wish after each reading, and unplugs the board after so many.
+struct Watcher {
+    wishes: RefCell<VecDeque<Wish>>,
+    ordered: RefCell<VecDeque<Wish>>,
+    ends: Option<u8>,
+    readings: RefCell<Vec<Reading>>,
+    refused: RefCell<Vec<(Wish, Exception, Diagnostics)>>,
+    undone: RefCell<Vec<Wish>>,
+    most: usize,
+    unplugged: Arc<AtomicBool>,
 }
 
-/// Requests of one reading.
-const READING: u32 = 7;
+impl Desk for Watcher {
+    type Order = Wish;
 
-fn readings(seen: &[Seen]) -> Vec<&Reading> {
-    let readings = seen.iter().map(|seen| match seen {
-        Seen::Reading(reading) => &**reading,
-        Seen::Refused(wish, ..) => panic!("{wish:?} was refused"),
-    });
-    readings.collect()
+    fn wants(&self) -> (Scope, Parts) {
+        (Scope::default(), Parts::ALL)
+    }
+
+    fn hear(&self, event: Event<'_>) {
+        if let Event::Seen(reading) = event {
+            let mut readings = self.readings.borrow_mut();
+            readings.push(reading.clone());
+            let is_over = readings.len() >= self.most;
+            self.unplugged.store(is_over, Ordering::Relaxed);
+            self.ordered
+                .borrow_mut()
+                .extend(self.wishes.borrow_mut().pop_front());
+        }
+    }
+
+    fn has_orders(&self) -> bool {
+        !self.ordered.borrow().is_empty()
+    }
+
+    fn next(&self) -> Option<Wish> {
+        self.ordered.borrow_mut().pop_front()
+    }
+
+    fn change(&self, _: &Wish) -> Change {
+        Change::All
+    }
+
+    async fn fulfil(&self, client: &mut Client, wish: Wish) -> Result<(), Failure> {
+        match wish.fulfil_until(client, self.ends).await {
+            Err(Failure::Refused(exception)) => {
+                let board = Diagnostics::read(client).await?;
+                self.refused.borrow_mut().push((wish, exception, board));
+                Ok(())
+            }
+            other => other,
+        }
+    }
+
+    fn undone(&self, wish: Wish, _: &Away) {
+        self.undone.borrow_mut().push(wish);
+    }
+}
+
+fn watcher(readings: usize, ends: Option<u8>, wishes: &[Wish]) -> Watcher {
+    Watcher {
+        wishes: RefCell::new(wishes.iter().copied().collect()),
+        ordered: RefCell::default(),
+        ends,
+        readings: RefCell::default(),
+        refused: RefCell::default(),
+        undone: RefCell::default(),
+        most: readings,
+        unplugged: Arc::default(),
+    }
+}
+
+fn wire(board: Board, watcher: &Watcher) -> Wire {
+    let unplugged = watcher.unplugged.clone();
+    Wire::with(board, move |_, _| match unplugged.load(Ordering::Relaxed) {
+        true => Fate::Unplugged,
+        false => Fate::Answered,
+    })
+}
+
+/// Watches a board for so many readings, with a wish after each of the first.
+fn watched(
+    board: Board,
+    readings: usize,
+    ends: Option<u8>,
+    wishes: &[Wish],
+) -> (Wire, Watcher, Failure) {
+    let watcher = watcher(readings, ends, wishes);
+    let mut wire = wire(board, &watcher);
+    let failure = wire.talk(async |client: &mut Client| watch(client, &watcher).await);
+    (wire, watcher, failure)
 }
 
 #[test]
 fn a_board_is_read_over_and_over_until_it_is_lost() {
-    let (wire, seen, failure) = watched(Board::default(), 3 * READING, None, |_, _| ());
-    assert_eq!(readings(&seen).len(), 3);
+    let (_, watcher, failure) = watched(Board::default(), 3, None, &[]);
+    assert_eq!(watcher.readings.borrow().len(), 3);
     assert_eq!(failure, Failure::Lost("unplugged".to_owned()));
-    // The line is left to others for a while after a reading.
-    let pause = wire.sent[READING as usize].0 - wire.sent[READING as usize - 1].0;
-    assert!(pause > 50 * MS, "{pause:?}");
 }
 
 #[test]
 fn a_board_does_what_is_wished() {
-    let mut wished = [
+    let wishes = [
         Wish::Force(Side::Inputs, 0, Some(true)),
         Wish::Command(Command::Stop),
-    ]
-    .into_iter();
-    let (wire, seen, _) = watched(Board::default(), 3 * READING + 3, None, |_, wishes| {
-        if let Some(wish) = wished.next() {
-            wishes.push(wish);
-        }
-    });
-    let states: Vec<_> = readings(&seen)
-        .iter()
+    ];
+    let (_, watcher, _) = watched(Board::default(), 3, None, &wishes);
+    let readings = watcher.readings.borrow();
+    let states = readings.iter();
+    let states: Vec<_> = states
         .map(|reading| (reading.inputs, reading.diagnostics.state))
         .collect();
     let (run, stop) = (Some(State::Run), Some(State::Stop));
     assert_eq!(states, [(0, run), (1, run), (1, stop)]);
-    // A wish is not kept waiting: the request before it was answered 3 ms after it was sent.
-    let at = READING as usize;
-    assert_eq!(wire.sent[at].0 - wire.sent[at - 1].0, 5 * MS);
 }
 
-/// Wishes this once, and gives what was seen after it.
-fn wishing(board: Board, end_forcing: Option<u8>, wish: Wish) -> (Wire, Vec<Seen>) {
-    let mut wished = Some(wish);
-    let (wire, seen, _) = watched(board, 4 * READING, end_forcing, |_, wishes| {
-        if let Some(wish) = wished.take() {
-            wishes.push(wish);
-        }
-    });
-    (wire, seen)
+#[test]
+fn what_is_ordered_of_a_board_that_is_lost_is_not_done_later() {
+    let stop = Wish::Command(Command::Stop);
+    let watcher = watcher(1, None, &[stop]);
+    let mut wire = wire(Board::default(), &watcher);
+    wire.talk(async |client: &mut Client| talk(client, &watcher, false).await);
+    assert_eq!(watcher.readings.borrow().len(), 1);
+    assert_eq!(wire.board.state, RUN);
+    assert!(watcher.ordered.borrow().is_empty());
 }
 
 #[test]
 fn what_is_forced_ends_where_nobody_asks() {
     let forced = |to| Wish::Force(Side::Inputs, 0, to);
     let ends = |end_forcing, wish| {
-        let (wire, seen) = wishing(Board::default(), end_forcing, wish);
-        let ends = readings(&seen).last().unwrap().forcing_ends;
+        let (wire, watcher, _) = watched(Board::default(), 3, end_forcing, &[wish]);
+        let ends = watcher.readings.borrow().last().unwrap().forcing_ends;
         assert_eq!(ends, Some(wire.board.forces[4] as u8));
         (wire.board.forces[0], ends.unwrap())
     };
@@ -108,11 +159,8 @@ fn what_is_forced_ends_where_nobody_asks() {
 
 #[test]
 fn no_point_is_forced_before_its_end_is_set() {
-    let (wire, _) = wishing(
-        Board::default(),
-        Some(10),
-        Wish::Force(Side::Outputs, 1, Some(true)),
-    );
+    let force = Wish::Force(Side::Outputs, 1, Some(true));
+    let (wire, ..) = watched(Board::default(), 2, Some(10), &[force]);
     let written = wire
         .sent
         .iter()
@@ -130,27 +178,24 @@ fn a_board_without_an_end_of_forcing_is_forced_all_the_same() {
         is_of_version_1: true,
         ..Board::default()
     };
-    let (wire, seen) = wishing(old, Some(10), Wish::Force(Side::Inputs, 0, Some(true)));
-    let last = readings(&seen).last().unwrap().forced();
+    let force = Wish::Force(Side::Inputs, 0, Some(true));
+    let (wire, watcher, _) = watched(old, 2, Some(10), &[force]);
+    let last = watcher.readings.borrow().last().unwrap().forced();
     assert_eq!((last.ends, last.inputs.get(0)), (None, Some(true)));
     assert_eq!(wire.board.forces, [1, 1, 0, 0, 0]);
 }
 
 #[test]
-fn a_wish_that_is_refused_comes_back_with_how_the_board_stands() {
+fn a_wish_that_is_refused_is_told_with_how_the_board_stands() {
     let run = Wish::Command(Command::Run);
     let switched = Board {
         switch: true,
         ..Board::in_state(STOP)
     };
-    let mut wished = false;
-    let (_, seen, _) = watched(switched, 2 * READING + 2, None, |_, wishes| {
-        if !std::mem::replace(&mut wished, true) {
-            wishes.push(run);
-        }
-    });
-    let [_, Seen::Refused(wish, exception, board), _] = &seen[..] else {
-        panic!("{seen:?}");
+    let (_, watcher, _) = watched(switched, 2, None, &[run]);
+    let refused = watcher.refused.borrow();
+    let [(wish, exception, board)] = &refused[..] else {
+        panic!("{refused:?}");
     };
     assert_eq!((*wish, *exception), (run, Exception::ServerDeviceFailure));
     assert!(board.is_switched_off());

@@ -100,8 +100,8 @@ unoclp_words::messages! {
         "{name} cannot be set; set I1 to I{inputs}, A0 to A{analogue}, M1 to M{markers} or D1 to D{registers}"
         "{name} não pode receber um valor; use I1 a I{inputs}, A0 a A{analogue}, M1 a M{markers} ou D1 a D{registers}";
     not_expected(name, outputs, markers, registers)
-        "{name} cannot be expected; use Q1 to Q{outputs}, M1 to M{markers}, D1 to D{registers}, P1 or P4"
-        "não se pode esperar nada de {name}; use Q1 a Q{outputs}, M1 a M{markers}, D1 a D{registers}, P1 ou P4";
+        "a test cannot check {name}; use Q1 to Q{outputs}, M1 to M{markers}, D1 to D{registers}, P1 or P4"
+        "um teste não pode verificar {name}; use Q1 a Q{outputs}, M1 a M{markers}, D1 a D{registers}, P1 ou P4";
     must_be(name, valid) "{name} must be {valid}" "{name} deve ser {valid}";
     zero_or_one() "0 or 1" "0 ou 1";
     number_from(from, to) "a number from {from} to {to}" "um número de {from} a {to}";

@@ -28,8 +28,8 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
     #[rustfmt::skip]
     let cases = [
         // (after the head, the line, the message)
-        ("[[step]]\nat = 0\nexpect = { Q5 = 1 }", 5, "Q5 cannot be expected; use Q1 to Q4, M1 to M64, D1 to D98, P1 or P4"),
-        ("[[step]]\nat = 0\nexpect = { I1 = 1 }", 5, "I1 cannot be expected; use Q1 to Q4, M1 to M64, D1 to D98, P1 or P4"),
+        ("[[step]]\nat = 0\nexpect = { Q5 = 1 }", 5, "a test cannot check Q5; use Q1 to Q4, M1 to M64, D1 to D98, P1 or P4"),
+        ("[[step]]\nat = 0\nexpect = { I1 = 1 }", 5, "a test cannot check I1; use Q1 to Q4, M1 to M64, D1 to D98, P1 or P4"),
         ("[[step]]\nat = 0\nset = { I0 = 1 }", 5, "I0 cannot be set; set I1 to I8, A0 to A4, M1 to M64 or D1 to D98"),
         ("[[step]]\nat = 0\nset = { I01 = 1 }", 5, "I01 cannot be set; set I1 to I8, A0 to A4, M1 to M64 or D1 to D98"),
         ("[[step]]\nat = 0\n[step.set]\nI1 = 1\nI9 = 0", 7, "I9 cannot be set; set I1 to I8, A0 to A4, M1 to M64 or D1 to D98"),
@@ -73,8 +73,8 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("[[step]]\nat = 0\nset = { A0 = 1024 }", 5, "A0 must be a number from 0 to 1023"),
         ("[[step]]\nat = 0\nset = { M1 = 2 }", 5, "M1 must be 0 or 1"),
         ("[[step]]\nat = 0\nset = { D1 = 2147483648 }", 5, "D1 must be a number from -2147483648 to 2147483647"),
-        ("[[step]]\nat = 0\nexpect = { M65 = 1 }", 5, "M65 cannot be expected; use Q1 to Q4, M1 to M64, D1 to D98, P1 or P4"),
-        ("[[step]]\nat = 0\nexpect = { P2 = 1 }", 5, "P2 cannot be expected; use Q1 to Q4, M1 to M64, D1 to D98, P1 or P4"),
+        ("[[step]]\nat = 0\nexpect = { M65 = 1 }", 5, "a test cannot check M65; use Q1 to Q4, M1 to M64, D1 to D98, P1 or P4"),
+        ("[[step]]\nat = 0\nexpect = { P2 = 1 }", 5, "a test cannot check P2; use Q1 to Q4, M1 to M64, D1 to D98, P1 or P4"),
         ("[[step]]\nat = 0\nexpect = { P4 = 256 }", 5, "P4 must be a number from 0 to 255, or \"any\""),
         ("[[step]]\nat = 0\nrestart = 1", 5, "invalid type: integer `1`, expected a boolean"),
         ("stops = { at = 5, number = 75 }\nuntil = 5", 3, "the run ends at `stops`; remove `until` and later steps"),
@@ -311,7 +311,7 @@ fn what_is_wrong_is_told_in_portuguese() {
     let step = |rest: &str| format!("{HEAD}[[step]]\nat = 0\n{rest}\n");
     #[rustfmt::skip]
     let cases = [
-        (step("expect = { Q5 = 1 }"), ":5: não se pode esperar nada de Q5; use Q1 a Q4, M1 a M64, D1 a D98, P1 ou P4"),
+        (step("expect = { Q5 = 1 }"), ":5: um teste não pode verificar Q5; use Q1 a Q4, M1 a M64, D1 a D98, P1 ou P4"),
         (step("expect = { Q1 = 2 }"), ":5: Q1 deve ser 0 ou 1, ou \"any\""),
         (step("until = 9"), ":5: não existe aqui a chave `until`; existe `at`, `restart`, `set`, `expect`; ponha as chaves do arquivo inteiro acima do primeiro [[step]]"),
         (step("restart = 1"), ":5: este valor não é do tipo que a chave pede"),

@@ -22,10 +22,10 @@ unoclp_words::messages! {
     preset_ms(value) "preset: {value} ms" "pré-seleção: {value} ms";
     drives(target) "drives {target}" "aciona {target}";
     constant() "the constant" "a constante";
-    popped() "value (before it the pushed one)" "valor (antes dele o empilhado)";
+    popped() "value (the pushed value comes first)" "valor (o empilhado vem antes)";
     to_registers(first) "to {first} on" "para {first} em diante";
     so_many_registers() "so many registers" "o número de registradores";
-    so_many_steps() "so many steps" "o número de passos";
+    so_many_steps() "number of steps" "número de passos";
     outputs_of(step) "step {step}: outputs 01 02 03 04" "passo {step}: saídas 01 02 03 04";
     from_this() "from this …" "disto …";
     to_this() "… to this" "… a isto";

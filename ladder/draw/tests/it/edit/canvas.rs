@@ -1,12 +1,15 @@
 //! The sheet of a document: everything on it has a place, and something can be inserted wherever it says so.
 
+use super::operations::operation;
 use unoclp_core::isa::Opcode;
 use unoclp_core::{Board, Loader, Target};
 use unoclp_draw::Area;
 use unoclp_draw::edit::{
-    Along, Canvas, Coil, Cursor, Document, Draft, Drawn, Editor, Operation, Place, Step,
+    Along, Canvas, Coil, Cursor, Document, Draft, Drawn, Editor, Opening, Operation, Place, Spot,
+    Step, Strip,
 };
 use unoclp_point::Address;
+use unoclp_testing::{Random, rounds};
 
 /// A seal-in circuit with a timer, a rung that ends in an IF, an empty path, and an empty rung.
 fn document() -> Document {
@@ -19,9 +22,48 @@ fn document() -> Document {
     Document::of_steps(loader.finish().unwrap().steps())
 }
 
-fn canvas(document: &Document) -> Canvas {
+fn after(document: &Document, before: Option<&Canvas>) -> Canvas {
     let title = |number: usize| format!("Rung {number}");
-    Drawn::of(document).canvas(document, 80, &title, "a program")
+    Drawn::of(document).canvas(document, 80, &title, before)
+}
+
+fn canvas(document: &Document) -> Canvas {
+    after(document, None)
+}
+
+/// An area of a rung, on the whole sheet.
+fn on_sheet(strip: &Strip, area: Area) -> Area {
+    Area {
+        y: area.y + strip.top,
+        ..area
+    }
+}
+
+fn svg(canvas: &Canvas) -> String {
+    let rungs = canvas.rungs.iter();
+    rungs.map(|strip| strip.drawn.svg.as_str()).collect()
+}
+
+fn spots(canvas: &Canvas) -> Vec<Spot> {
+    let of = |strip: &Strip| {
+        let spot = |spot: &Spot| Spot {
+            area: on_sheet(strip, spot.area),
+            ..*spot
+        };
+        strip.drawn.spots.iter().map(spot).collect::<Vec<_>>()
+    };
+    canvas.rungs.iter().flat_map(of).collect()
+}
+
+fn places(canvas: &Canvas) -> Vec<Opening> {
+    let of = |strip: &Strip| {
+        let opening = |opening: &Opening| Opening {
+            area: on_sheet(strip, opening.area),
+            ..*opening
+        };
+        strip.drawn.places.iter().map(opening).collect::<Vec<_>>()
+    };
+    canvas.rungs.iter().flat_map(of).collect()
 }
 
 fn overlap(one: Area, other: Area) -> bool {
@@ -35,22 +77,29 @@ fn overlap(one: Area, other: Area) -> bool {
 fn what_is_on_the_sheet_has_its_name_and_a_place_on_it() {
     let document = document();
     let canvas = canvas(&document);
-    for spot in &canvas.spots {
+    let (svg, (width, height)) = (svg(&canvas), canvas.size);
+    let sheet = Area {
+        x: 0.0,
+        y: 0.0,
+        width,
+        height,
+    };
+    for spot in spots(&canvas) {
         let name = format!("data-id=\"{}\"", spot.id.0);
-        assert!(canvas.svg.contains(&name), "{name} in {}", canvas.svg);
-        assert!(overlap(spot.area, canvas.area), "{spot:?}");
+        assert!(svg.contains(&name), "{name} in {svg}");
+        assert!(overlap(spot.area, sheet), "{spot:?}");
     }
     // Four contacts, a timer with its coil, an IF, a path without an element, a coil; and four rungs.
-    assert_eq!(canvas.spots.len(), 4 + 2 + 1 + 1 + 1 + 4);
-    assert!(canvas.svg.contains("Rung 4"));
-    assert!(canvas.svg.contains("END_IF:"));
+    assert_eq!(spots(&canvas).len(), 4 + 2 + 1 + 1 + 1 + 4);
+    assert!(svg.contains("Rung 4"));
+    assert!(svg.contains("END_IF:"));
 }
 
 #[test]
 fn an_element_can_be_inserted_at_each_opening() {
     let canvas = canvas(&document());
     let contact = Draft::contact(Some(Address::Input(4)), false).unwrap();
-    for opening in &canvas.places {
+    for opening in places(&canvas) {
         let mut editor = Editor::new(document());
         let before = editor.document().codes().unwrap().len();
         editor
@@ -70,15 +119,13 @@ fn an_element_can_be_inserted_at_each_opening() {
 #[test]
 fn openings_do_not_cover_each_other() {
     let canvas = canvas(&document());
-    for (index, one) in canvas.places.iter().enumerate() {
-        for other in &canvas.places[..index] {
+    let places = places(&canvas);
+    for (index, one) in places.iter().enumerate() {
+        for other in &places[..index] {
             assert!(!overlap(one.area, other.area), "{one:?} {other:?}");
         }
     }
-    let empty = canvas
-        .places
-        .iter()
-        .filter(|opening| opening.area.width > 100.0);
+    let empty = places.iter().filter(|opening| opening.area.width > 100.0);
     assert!(
         empty.count() >= 2,
         "the empty rungs are openings as a whole"
@@ -95,8 +142,38 @@ fn what_a_screen_asks_for_keeps_its_names() {
             .apply(&Operation::Insert(draft, Place::Behind))
             .unwrap();
     }
-    let before = canvas(editor.document()).spots;
+    let before = spots(&canvas(editor.document()));
     editor.apply(&Operation::InsertRung(Along::Back)).unwrap();
     editor.undo().unwrap();
-    assert_eq!(canvas(editor.document()).spots, before);
+    assert_eq!(spots(&canvas(editor.document())), before);
+}
+
+/// What a page puts in place of what it has, comes to what it would be drawn anew.
+#[test]
+fn a_rung_that_is_not_drawn_again_is_as_if_it_were() {
+    let (mut again, mut kept) = (0, 0);
+    for seed in 0..u64::from(rounds(60)) {
+        let random = &mut Random(seed);
+        let mut editor = Editor::new(document());
+        let mut before = canvas(editor.document());
+        for count in 0..60 {
+            let step = operation(random, editor.document());
+            // What is refused changes nothing.
+            let _ = editor.apply(&step);
+            let now = after(editor.document(), Some(&before));
+            let anew = canvas(editor.document());
+            assert_eq!(svg(&now), svg(&anew), "seed {seed}, {count}: {step:?}");
+            assert_eq!(spots(&now), spots(&anew), "seed {seed}, {count}");
+            assert_eq!(places(&now), places(&anew), "seed {seed}, {count}");
+            for (one, other) in now.rungs.iter().zip(&anew.rungs) {
+                let says = |strip: &Strip| (strip.id, strip.nets, strip.first);
+                assert_eq!(says(one), says(other), "seed {seed}, {count}");
+            }
+            let new = now.rungs.iter().filter(|strip| strip.is_new).count();
+            again += new;
+            kept += now.rungs.len() - new;
+            before = now;
+        }
+    }
+    assert!(kept > again, "{kept} of {again}");
 }

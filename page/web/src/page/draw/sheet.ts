@@ -10,10 +10,13 @@ import type { Carried } from "./carrying";
 const NEAR = 60;
 
 type Sheeted = NonNullable<Drawn["sheet"]>;
+type Places = NonNullable<Sheeted["rungs"][number]["drawn"]>["places"];
 
 export class Sheet implements Carried {
   readonly ladder: LadderView;
   private sheet: Sheeted | null = null;
+  /** The places of each rung, by its name. */
+  private places = new Map<number, Places>();
   private lights: SVGGElement | null = null;
 
   constructor(
@@ -31,7 +34,9 @@ export class Sheet implements Carried {
   show(drawn: Drawn): void {
     if (drawn.sheet) {
       this.sheet = drawn.sheet;
-      this.ladder.show(drawn.sheet.svg);
+      this.light(false);
+      this.ladder.change(drawn.sheet);
+      this.open(drawn.sheet);
       // The paper around it is what a screen reader is at, and hears of.
       this.svg?.setAttribute("aria-label", drawn.title || say("sheet"));
     }
@@ -47,9 +52,23 @@ export class Sheet implements Carried {
     this.paper.querySelector(".selected")?.scrollIntoView({ block: "nearest", inline: "nearest" });
   }
 
+  /** Keeps the places of the rungs that are as they were. */
+  private open({ rungs }: Sheeted): void {
+    const were = this.places;
+    this.places = new Map(rungs.map(({ id, drawn }) => [id, drawn?.places ?? were.get(id) ?? []]));
+  }
+
+  /** All places that take an element, where they are on the sheet. */
+  private openings(): Places {
+    const rungs = this.sheet?.rungs ?? [];
+    const of = (id: number): Places => this.places.get(id) ?? [];
+    return rungs.flatMap(({ id, top }) => of(id).map(([at, place, [x, y, ...size]]) => [at, place, [x, top + y, ...size]] as const));
+  }
+
   /** Shows nothing. */
   clear(): void {
     this.sheet = null;
+    this.places.clear();
     this.ladder.show("");
   }
 
@@ -66,7 +85,7 @@ export class Sheet implements Carried {
     if (!on || !svg || !sheet) return;
     const lights = document.createElementNS("http://www.w3.org/2000/svg", "g");
     dress(lights, { class: "places" });
-    for (const [, , [x, y, width, height]] of sheet.places) {
+    for (const [, , [x, y, width, height]] of this.openings()) {
       const rect = document.createElementNS("http://www.w3.org/2000/svg", "rect");
       dress(rect, { x, y, width, height, rx: 3 });
       lights.append(rect);
@@ -81,20 +100,21 @@ export class Sheet implements Carried {
     const box = svg.getBoundingClientRect();
     const paper = this.paper.getBoundingClientRect();
     const inside = clientX >= paper.left && clientX <= paper.right && clientY >= paper.top && clientY <= paper.bottom;
-    const x = ((clientX - box.left) / box.width) * sheet.area[2];
-    const y = ((clientY - box.top) / box.height) * sheet.area[3];
-    const away = ([left, top, width, height]: Sheeted["places"][number][2]): number =>
+    const x = ((clientX - box.left) / box.width) * sheet.width;
+    const y = ((clientY - box.top) / box.height) * sheet.height;
+    const away = ([left, top, width, height]: Places[number][2]): number =>
       Math.hypot(Math.max(left - x, 0, x - left - width), Math.max(top - y, 0, y - top - height));
+    const openings = this.openings();
     let best = -1;
     let least = NEAR;
     if (inside) {
-      sheet.places.forEach(([, , area], index) => {
+      openings.forEach(([, , area], index) => {
         const distance = away(area);
         if (distance < least) [best, least] = [index, distance];
       });
     }
     [...(this.lights?.children ?? [])].forEach((rect, index) => rect.classList.toggle("near", index === best));
-    const found = sheet.places[best];
+    const found = openings[best];
     return found ? { at: found[0], place: found[1] } : null;
   }
 }
