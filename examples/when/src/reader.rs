@@ -49,7 +49,7 @@ pub(crate) fn read(text: &str, words: Vec<Word>, board: Board, found: &mut Found
         end: text.len() as u32,
     };
     let program = reader.builder.unit("WHEN", UnitKind::Program, whole);
-    reader.builder.enter(program);
+    let before = reader.builder.enter(&program);
     let mut body = Vec::new();
     while reader.at < reader.words.len() {
         reader.parts = 0;
@@ -60,8 +60,9 @@ pub(crate) fn read(text: &str, words: Vec<Word>, board: Board, found: &mut Found
         }
         reader.at += 1;
     }
+    let program = reader.builder.close(program);
+    reader.builder.back(before);
     reader.builder.body(program, body);
-    reader.builder.leave();
     reader.builder.finish()
 }
 

@@ -35,15 +35,16 @@ pub(super) fn check(
     let unit = checker
         .builder
         .unit("BLOCO", UnitKind::Program, program.span);
-    checker.builder.enter(unit);
+    let before = checker.builder.enter(&unit);
     for decl in &program.decls {
         checker.declare(decl);
     }
+    let unit = checker.builder.close(unit);
     // BLOCO END_BLOCK is a program.
     checker.builder.may_do_nothing();
     let body = checker.statements(&program.body);
+    checker.builder.back(before);
     checker.builder.body(unit, body);
-    checker.builder.leave();
     checker.builder.finish()
 }
 

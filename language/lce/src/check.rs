@@ -31,13 +31,14 @@ pub(super) fn check(
     let title = name.map_or("clp", |name| name.text.trim_matches(['"', '\'']));
     let at = name.map_or(program.span, |name| name.span);
     let unit = checker.builder.unit(title, UnitKind::Program, at);
-    checker.builder.enter(unit);
+    let before = checker.builder.enter(&unit);
     checker.builder.may_do_nothing();
     checker.aliases(program);
     checker.kinds(&program.body);
     let (body, _) = checker.statements(&program.body);
+    let unit = checker.builder.close(unit);
+    checker.builder.back(before);
     checker.builder.body(unit, body);
-    checker.builder.leave();
     let symbols = checker.symbols();
     let mut tree = checker.builder.finish()?;
     tree.symbols = symbols;

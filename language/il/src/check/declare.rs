@@ -2,7 +2,7 @@
 
 use super::edges::declare_edge;
 use super::first;
-use super::front::{Front, MOST_WITHIN};
+use super::front::{Front, MOST_WITHIN, Stage};
 use super::used::parts;
 use crate::ast::{Operand, Section as Part, Stmt, Unit, UnitKind as Kind, Var};
 use crate::names::declare::{is_new, plain_block};
@@ -14,7 +14,7 @@ use unoclp_point::{Address, Kind as Point, read};
 use unoclp_st::Of;
 use unoclp_st::pieces::Declared;
 use unoclp_text::diagnostics::{Code, Span};
-use unoclp_tree::build::{Named, Section, Traits};
+use unoclp_tree::build::{Enter, Named, Section, Traits};
 use unoclp_tree::{Base, Kind as Type, Root, Standard, TypeId, UnitKind};
 
 /// More instances than this no board holds.
@@ -32,8 +32,9 @@ impl Front<'_, '_> {
                 Kind::Function => UnitKind::Function,
                 Kind::FunctionBlock => UnitKind::Block,
             };
-            let number = self.c.builder.unit(&name, kind, at);
-            self.numbers.push(number);
+            let made = self.c.builder.unit(&name, kind, at);
+            self.numbers.push(made.number());
+            self.stages.push(Stage::Not(made));
         }
         for (index, unit) in self.units.iter().enumerate() {
             for var in unit.vars.iter().filter(|var| var.section == Part::Global) {
@@ -73,17 +74,17 @@ impl Front<'_, '_> {
             return;
         }
         self.blocks_of(&declared.types(), 0);
-        let before = self.c.builder.inside();
-        if matches!(var.section, Part::Global | Part::External) {
-            self.c.builder.leave();
-        }
+        let global = matches!(var.section, Part::Global | Part::External);
+        let before = global.then(|| self.c.builder.outside());
         let of = Of {
             section: section(var.section),
             constant: var.constant,
             retain: var.retain,
         };
         self.c.declare_piece(declared, &of);
-        self.c.builder.go(before);
+        if let Some(before) = before {
+            self.c.builder.back(before);
+        }
     }
 
     /// Declares the blocks of the text among these types, and in them.
@@ -188,13 +189,15 @@ impl Front<'_, '_> {
 
     /// The variables of a unit.
     fn unit(&mut self, index: usize) {
-        if std::mem::replace(&mut self.declared[index], true) {
-            return;
-        }
+        let made = match std::mem::replace(&mut self.stages[index], Stage::Begun) {
+            Stage::Not(made) => made,
+            stage => {
+                self.stages[index] = stage;
+                return;
+            }
+        };
         let unit = &self.units[index];
-        let number = self.numbers[index];
-        let before = self.c.builder.inside();
-        self.c.builder.enter(number);
+        let before = self.c.builder.enter(&made);
         if let (Kind::Function, Some(name)) = (unit.kind, &unit.name) {
             let result = unit.result.as_ref().map(|ty| ty.text.as_str());
             let base = result.map_or(Some(Base::Bool), Base::named);
@@ -219,8 +222,8 @@ impl Front<'_, '_> {
         if unit.kind != Kind::Function {
             self.edges(index);
         }
-        self.c.builder.close(number);
-        self.c.builder.go(before);
+        self.stages[index] = Stage::Done(self.c.builder.close(made));
+        self.c.builder.back(before);
     }
 
     /// What `names` makes of a variable.
@@ -288,10 +291,8 @@ impl Front<'_, '_> {
         let section = section(var.section);
         // Timers and counters by the board's names, and addresses, mean the same in the whole text.
         let shared = read(&var.name.text, self.names.dialect.maker()).is_some();
-        let before = self.c.builder.inside();
-        if shared && self.c.builder.find(&name).is_none() || section == Section::Global {
-            self.c.builder.leave();
-        }
+        let global = shared && self.c.builder.find(&name).is_none() || section == Section::Global;
+        let before = global.then(|| self.c.builder.outside());
         let taken = self.c.builder.is_taken(&name);
         let at = var.name.span;
         let made = match taken {
@@ -308,7 +309,9 @@ impl Front<'_, '_> {
             Some(_) => {}
             None => self.c.builder.hide(&name),
         }
-        self.c.builder.go(before);
+        if let Some(before) = before {
+            self.c.builder.back(before);
+        }
     }
 
     /// A timer or counter of the board by another name.
@@ -328,8 +331,7 @@ impl Front<'_, '_> {
             retain: var.retain,
             ..Traits::default()
         };
-        let before = self.c.builder.inside();
-        self.c.builder.leave();
+        let before = self.c.builder.outside();
         let span = var.name.span;
         let made = self
             .c
@@ -339,7 +341,7 @@ impl Front<'_, '_> {
             self.c.builder.show_as(name);
             self.pin(&key, ty, made.offset);
         }
-        self.c.builder.go(before);
+        self.c.builder.back(before);
     }
 
     /// A counter with the name of one of the board's is that one.
@@ -370,8 +372,10 @@ impl Front<'_, '_> {
         self.within += 1;
         self.unit(index);
         self.within -= 1;
-        let draft = self.c.builder.draft(self.numbers[index])?;
-        draft.closed.then_some(draft.block)
+        match &self.stages[index] {
+            Stage::Done(made) => self.c.builder.block_type(made),
+            Stage::Not(_) | Stage::Begun => None,
+        }
     }
 
     pub(super) fn type_of(&mut self, standard: Standard) -> TypeId {

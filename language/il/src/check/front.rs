@@ -7,9 +7,17 @@ use std::collections::{HashMap, HashSet};
 use unoclp_st::Checker;
 use unoclp_st::pieces::Pieces;
 use unoclp_text::diagnostics::{Code, Span, Word};
+use unoclp_tree::build::{Closed, Declaring};
 
 /// Blocks stand in one another no deeper.
 pub(super) const MOST_WITHIN: usize = 16;
+
+/// How far a unit has been made out.
+pub(super) enum Stage {
+    Not(Declaring),
+    Begun,
+    Done(Closed),
+}
 
 /// What is known of a text on the way to its tree.
 pub(super) struct Front<'a, 'f> {
@@ -24,7 +32,7 @@ pub(super) struct Front<'a, 'f> {
     /// Of each unit: its number in the tree, and the instance whose names `names` has for it.
     pub numbers: Vec<u32>,
     pub instances: Vec<usize>,
-    pub declared: Vec<bool>,
+    pub stages: Vec<Stage>,
     /// Timers and counters that a declaration names by an address: their names there.
     pub aliases: HashMap<String, String>,
     /// Functions of the text, by their names.

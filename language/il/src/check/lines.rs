@@ -1,7 +1,7 @@
 //! A run through a body: what each line does.
 
 use super::flow::Jump;
-use super::front::Front;
+use super::front::{Front, Stage};
 use super::labels::{Passes, needed};
 use super::run::{Acc, Run};
 use super::stack::{Pushes, pops};
@@ -22,10 +22,12 @@ fn goes_to(instr: &Instr) -> Option<&str> {
 impl<'a> Front<'a, '_> {
     /// What a unit does.
     pub(super) fn body(&mut self, unit: usize) {
-        let number = self.numbers[unit];
+        let Stage::Done(made) = std::mem::replace(&mut self.stages[unit], Stage::Begun) else {
+            return;
+        };
         let body = &self.units[unit].body;
         let writes = self.writes;
-        self.c.builder.enter(number);
+        let before = self.c.builder.enter(&made);
         let mut walk = Walk {
             unit,
             instance: self.instances[unit],
@@ -36,9 +38,9 @@ impl<'a> Front<'a, '_> {
             front: self,
         };
         walk.lines();
-        let made = walk.finish();
-        self.c.builder.body(number, made);
-        self.c.builder.leave();
+        let statements = walk.finish();
+        self.c.builder.back(before);
+        self.c.builder.body(made, statements);
         if !self.called[unit] {
             self.writes = writes;
         }

@@ -102,7 +102,7 @@ fn tree(
         used: Used::of(units, dialect),
         numbers: Vec::new(),
         instances: Vec::new(),
-        declared: vec![false; units.len()],
+        stages: Vec::new(),
         aliases: HashMap::new(),
         functions: HashMap::new(),
         coils: HashMap::new(),

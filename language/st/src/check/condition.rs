@@ -34,7 +34,7 @@ pub(in super::super) fn condition(
     let mut builder = Builder::new(text, Letters::Alike, board, found);
     let at = Span::default();
     let unit = builder.unit("", UnitKind::Program, at);
-    builder.enter(unit);
+    let before = builder.enter(&unit);
     let traits = || Traits {
         unseen: true,
         ..Traits::default()
@@ -47,7 +47,7 @@ pub(in super::super) fn condition(
         }
     }
     let result = builder.declare(RESULT, at, TypeId::of(Base::Bool), Section::Var, traits())?;
-    builder.close(unit);
+    let unit = builder.close(unit);
     let mut checker = Checker::new(builder, &file);
     let value = checker.expr(&node, None);
     let value = checker.builder.condition(value);
@@ -56,7 +56,7 @@ pub(in super::super) fn condition(
     checker
         .builder
         .body(unit, statement.into_iter().collect::<Vec<_>>());
-    checker.builder.leave();
+    checker.builder.back(before);
     let tree = checker.builder.finish()?;
     Some((tree, cells, result.offset))
 }

@@ -3,11 +3,11 @@
 //! Owns what is told of bounds and sizes.
 
 use super::super::ast::{Name, Node, SpecKind, TypeSpec};
-use super::{Checker, MOST_WITHIN, State};
+use super::{Checker, MOST_WITHIN, Stage};
 use std::collections::HashSet;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::build::MOST_CELLS;
-use unoclp_tree::{Base, Enumeration, Kind, Member, TypeId, UnitKind};
+use unoclp_tree::{Base, Enumeration, Kind, Member, TypeId};
 
 fn clamped(number: i128) -> i64 {
     i64::try_from(number).unwrap_or(i64::MAX)
@@ -206,25 +206,25 @@ impl Checker<'_, '_, '_> {
 
     /// The type of a block's instances, whose declarations are made out first.
     pub(super) fn block_type(&mut self, at: usize, used: &Name) -> Option<TypeId> {
-        let (unit, state) = self.units[at];
-        match state {
-            State::Begun => {
+        match self.units[at] {
+            Stage::Begun => {
                 let name = used.text.as_str().into();
                 let contains = ("contains", "contém").into();
                 self.builder
                     .tell(Code::StRecursive, used.span, [name, contains]);
                 return None;
             }
-            State::Not if self.within >= MOST_WITHIN => {
+            Stage::Not(_) if self.within >= MOST_WITHIN => {
                 self.builder.tell(Code::StTooDeep, used.span, []);
                 return None;
             }
-            State::Not => self.declare_unit(at),
-            State::Done(_) => {}
+            Stage::Not(_) => self.declare_unit(at),
+            Stage::Done(_) => {}
         }
-        let draft = self.builder.draft(unit)?;
-        let is_block = draft.unit.kind == UnitKind::Block;
-        let ty = is_block.then_some(draft.block)?;
+        let Stage::Done(unit) = &self.units[at] else {
+            return None;
+        };
+        let ty = self.builder.block_type(unit)?;
         self.not_too_deep(ty, used.span)
     }
 }

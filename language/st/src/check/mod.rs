@@ -25,7 +25,7 @@ use unoclp_core::Board;
 use unoclp_point::Maker;
 use unoclp_text::diagnostics::{Code, Found, Span, Word};
 use unoclp_text::moved::adapt_at;
-use unoclp_tree::build::{Builder, Letters};
+use unoclp_tree::build::{Builder, Closed, Declaring, Letters};
 use unoclp_tree::{Tree, TypeId};
 
 /// Types and blocks are made of others no deeper.
@@ -39,6 +39,14 @@ enum State {
     Done(Option<TypeId>),
 }
 
+/// How far a unit has been made out.
+#[derive(Debug)]
+enum Stage {
+    Not(Declaring),
+    Begun,
+    Done(Closed),
+}
+
 /// What is known of a text while its names and types are checked.
 pub struct Checker<'a, 't, 'f> {
     /// What makes the tree.
@@ -47,8 +55,8 @@ pub struct Checker<'a, 't, 'f> {
     /// Types of the text by their names: which they are.
     types: HashMap<String, usize>,
     type_states: Vec<State>,
-    /// The unit of each declaration, and whether it is declared.
-    units: Vec<(u32, State)>,
+    /// The unit of each declaration, as far as it is made out.
+    units: Vec<Stage>,
     /// Declarations of blocks by their names.
     blocks: HashMap<String, usize>,
     /// Units with code for another machine by their names, and whether something uses them.

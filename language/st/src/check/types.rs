@@ -113,12 +113,11 @@ impl Checker<'_, '_, '_> {
         let ty = self.make_type(at, used);
         self.type_states[at] = State::Done(ty);
         if let (None, SpecKind::Enum(values)) = (ty, &self.file.types[at].spec.kind) {
-            let before = self.builder.inside();
-            self.builder.leave();
+            let before = self.builder.outside();
             for (name, _) in values {
                 self.builder.hide(&name.text);
             }
-            self.builder.go(before);
+            self.builder.back(before);
         }
         ty
     }

@@ -1,7 +1,7 @@
 //! Units: their variables, in the order in which they need one another.
 
 use super::super::ast::{self, Decl, Name, SpecKind, Vars};
-use super::{Checker, State};
+use super::{Checker, Stage};
 use unoclp_text::diagnostics::Code;
 use unoclp_tree::build::{Section, Traits, both};
 use unoclp_tree::{Base, Kind, TypeId, UnitKind};
@@ -46,7 +46,7 @@ impl Checker<'_, '_, '_> {
             let number = self
                 .builder
                 .unit(&unit.name.text, unit.kind, unit.name.span);
-            self.units.push((number, State::Not));
+            self.units.push(Stage::Not(number));
             if unit.kind == UnitKind::Block {
                 let key = self.builder.key(&unit.name.text);
                 self.blocks.entry(key).or_insert(at);
@@ -65,19 +65,22 @@ impl Checker<'_, '_, '_> {
             self.section(vars);
         }
         for at in 0..file.units.len() {
-            if self.units[at].1 == State::Not {
-                self.declare_unit(at);
-            }
+            self.declare_unit(at);
         }
     }
 
+    /// The variables of a unit, once.
     pub(super) fn declare_unit(&mut self, at: usize) {
         let declaration = &self.file.units[at];
-        let unit = self.units[at].0;
-        self.units[at].1 = State::Begun;
+        let unit = match std::mem::replace(&mut self.units[at], Stage::Begun) {
+            Stage::Not(unit) => unit,
+            stage => {
+                self.units[at] = stage;
+                return;
+            }
+        };
         self.within += 1;
-        let before = self.builder.inside();
-        self.builder.enter(unit);
+        let before = self.builder.enter(&unit);
         if declaration.kind == UnitKind::Function {
             let name = &declaration.name;
             match &declaration.result {
@@ -100,10 +103,9 @@ impl Checker<'_, '_, '_> {
         for vars in first.into_iter().chain(then) {
             self.section(vars);
         }
-        self.builder.close(unit);
-        self.builder.go(before);
+        self.units[at] = Stage::Done(self.builder.close(unit));
+        self.builder.back(before);
         self.within -= 1;
-        self.units[at].1 = State::Done(None);
     }
 
     fn section(&mut self, vars: &Vars) {
@@ -207,12 +209,13 @@ impl Checker<'_, '_, '_> {
 
     /// What each unit does.
     pub(super) fn bodies(&mut self) {
-        for at in 0..self.file.units.len() {
-            let unit = self.units[at].0;
-            self.builder.enter(unit);
-            let body = self.statements(&self.file.units[at].body);
+        let units = std::mem::take(&mut self.units);
+        for (declaration, stage) in self.file.units.iter().zip(units) {
+            let Stage::Done(unit) = stage else { continue };
+            let before = self.builder.enter(&unit);
+            let body = self.statements(&declaration.body);
+            self.builder.back(before);
             self.builder.body(unit, body);
-            self.builder.leave();
         }
     }
 }

@@ -3,6 +3,7 @@
 //! Owns units and where the front end is in them. Must not know what statements mean.
 
 use super::named::{Letters, Named, Param, Turn, Variable};
+use super::stages::{Before, Closed, Declaring, Enter};
 use crate::{Base, Expr, ExprKind, Kind, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -26,13 +27,13 @@ pub struct Draft {
     /// Of a function.
     pub result: Option<TypeId>,
     /// Of a block: its declarations are complete.
-    pub closed: bool,
+    pub(super) closed: bool,
     /// Of a function: its result is stored somewhere.
     pub gives: bool,
     /// A declaration in it is wrong, so that not all of its names are known.
     pub incomplete: bool,
     /// The type of a block's instances.
-    pub block: TypeId,
+    pub(super) block: TypeId,
     /// Its constants that have cells: the name, the type and the offset of each.
     pub constants: Vec<(String, TypeId, u32)>,
 }
@@ -188,7 +189,7 @@ impl<'t, 'f> Builder<'t, 'f> {
     }
 
     /// Makes a unit; of a function, its result is declared by [`Builder::result`].
-    pub fn unit(&mut self, name: &str, kind: UnitKind, at: Span) -> u32 {
+    pub fn unit(&mut self, name: &str, kind: UnitKind, at: Span) -> Declaring {
         let number = self.drafts.len() as u32;
         let block = self.tree.types.add(Type {
             name: Some(name.to_owned()),
@@ -224,33 +225,28 @@ impl<'t, 'f> Builder<'t, 'f> {
         if kind == UnitKind::Program {
             self.tree.programs.push(number);
             // A variable may have its name.
-            return number;
+            return Declaring(number);
         }
         let key = self.key(name);
         if self.globals.insert(key, named).is_some() {
             self.tell(Code::StNameTwice, at, [name.into()]);
         }
-        number
+        Declaring(number)
     }
 
     /// Goes into a unit: what is declared and named from here on is in it.
-    pub fn enter(&mut self, unit: u32) {
-        self.current = Some(unit as usize);
+    pub fn enter(&mut self, unit: &impl Enter) -> Before {
+        Before(self.current.replace(unit.number() as usize))
     }
 
-    /// Goes out of it.
-    pub fn leave(&mut self) {
-        self.current = None;
-    }
-
-    /// Where it is, to go back there.
-    pub fn inside(&self) -> Option<usize> {
-        self.current
+    /// Goes out of all units: what is declared from here on is for all.
+    pub fn outside(&mut self) -> Before {
+        Before(self.current.take())
     }
 
     /// Goes back to where it was.
-    pub fn go(&mut self, back: Option<usize>) {
-        self.current = back;
+    pub fn back(&mut self, before: Before) {
+        self.current = before.0;
     }
 
     /// The name of the function or block that it is in.
@@ -276,6 +272,12 @@ impl<'t, 'f> Builder<'t, 'f> {
         self.drafts.get(unit as usize)
     }
 
+    /// The type of a block's instances; none of another unit.
+    pub fn block_type(&self, unit: &Closed) -> Option<TypeId> {
+        let draft = self.draft(unit.0)?;
+        (draft.unit.kind == UnitKind::Block).then_some(draft.block)
+    }
+
     pub(super) fn here(&mut self) -> Option<&mut Draft> {
         self.current.and_then(|unit| self.drafts.get_mut(unit))
     }
@@ -294,8 +296,8 @@ impl<'t, 'f> Builder<'t, 'f> {
     }
 
     /// Gives a unit its statements.
-    pub fn body(&mut self, unit: u32, body: Vec<Stmt>) {
-        if let Some(draft) = self.drafts.get_mut(unit as usize) {
+    pub fn body(&mut self, unit: Closed, body: Vec<Stmt>) {
+        if let Some(draft) = self.drafts.get_mut(unit.0 as usize) {
             draft.unit.body = body;
         }
     }

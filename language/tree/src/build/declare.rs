@@ -2,6 +2,7 @@
 
 use super::builder::{Builder, MOST_CELLS};
 use super::named::{Named, Param, Section, Traits, Variable};
+use super::stages::{Closed, Declaring};
 use super::words::both;
 use crate::{Base, Declared, Expr, ExprKind, Initial, Kind, Root, Store, TypeId, UnitKind, Value};
 use std::sync::Arc;
@@ -119,10 +120,11 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// Ends the declarations of a block: instances of it can be declared from here on.
-    pub fn close(&mut self, unit: u32) {
-        let Some(draft) = self.drafts.get_mut(unit as usize) else {
-            return;
+    /// Ends the declarations of a unit: instances of a block can be declared from here on, and it can get its body.
+    pub fn close(&mut self, unit: Declaring) -> Closed {
+        let closed = Closed(unit.0);
+        let Some(draft) = self.drafts.get_mut(unit.0 as usize) else {
+            return closed;
         };
         draft.closed = true;
         let (ty, cells) = (draft.block, draft.unit.own.len() as u32);
@@ -131,6 +133,7 @@ impl Builder<'_, '_> {
             _ => None,
         });
         self.tree.types.close_block(ty, cells, parts);
+        closed
     }
 
     /// Whether a variable of this type keeps something from one call to the next.
