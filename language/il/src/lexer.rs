@@ -6,6 +6,7 @@
 use std::collections::HashMap;
 use unoclp_text::comments;
 use unoclp_text::diagnostics::{Code, Found, Span};
+use unoclp_text::scanner::Scanner;
 
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,9 +74,7 @@ pub(crate) struct Words {
 
 pub(crate) fn words(text: &str, found: &mut Found) -> Words {
     let mut lexer = Lexer {
-        text,
-        bytes: text.as_bytes(),
-        at: 0,
+        scan: Scanner::new(text),
         unclosed: 0,
         nested: comments::nested(text.as_bytes()),
         comments: Vec::new(),
@@ -84,9 +83,6 @@ pub(crate) fn words(text: &str, found: &mut Found) -> Words {
         found,
     };
     let mut tokens = Vec::with_capacity(text.len() / 3 + 1);
-    if text.starts_with('\u{FEFF}') {
-        lexer.at = '\u{FEFF}'.len_utf8();
-    }
     while let Some(token) = lexer.next() {
         tokens.push(token);
     }
@@ -109,9 +105,7 @@ pub(crate) fn words(text: &str, found: &mut Found) -> Words {
 }
 
 struct Lexer<'t, 'f> {
-    text: &'t str,
-    bytes: &'t [u8],
-    at: usize,
+    scan: Scanner<'t>,
     /// There is no `*)` from `at` to here.
     unclosed: usize,
     /// Comments that hold others: where they begin, and where they end.
@@ -126,27 +120,27 @@ struct Lexer<'t, 'f> {
 impl Lexer<'_, '_> {
     fn next(&mut self) -> Option<Token> {
         loop {
-            let start = self.at;
-            let first = *self.bytes.get(start)?;
-            self.at += 1;
-            let second = self.bytes.get(self.at).copied();
+            let start = self.scan.at;
+            let first = self.scan.first()?;
+            self.scan.at += 1;
+            let second = self.scan.first();
             let kind = match first {
                 b' ' | b'\t' | b'\r' => continue,
                 b'\n' => Kind::NewLine,
                 b'(' if second == Some(b'*') => {
                     self.comment(start);
-                    self.comments.push(self.span(start));
+                    self.comments.push(self.scan.span(start));
                     continue;
                 }
                 b'/' if second == Some(b'/') => {
-                    self.skip_line();
-                    self.comments.push(self.span(start));
+                    self.scan.skip_line();
+                    self.comments.push(self.scan.span(start));
                     continue;
                 }
                 b';' if !self.declares => {
-                    self.skip_line();
-                    self.comments.push(self.span(start));
-                    let remark = self.span(start + 1);
+                    self.scan.skip_line();
+                    self.comments.push(self.scan.span(start));
+                    let remark = self.scan.span(start + 1);
                     self.remarks.push(remark);
                     continue;
                 }
@@ -172,27 +166,25 @@ impl Lexer<'_, '_> {
                     Kind::Literal
                 }
                 b'%' => {
-                    while matches!(self.bytes.get(self.at), Some(b' ' | b'\t')) {
-                        self.at += 1;
-                    }
-                    if self.word() {
+                    self.scan.skip_while(|byte| matches!(byte, b' ' | b'\t'));
+                    if self.scan.word() {
                         self.members();
                         Kind::Name
                     } else {
-                        self.at = start + 1;
+                        self.scan.at = start + 1;
                         self.stray(start);
                         continue;
                     }
                 }
                 _ => {
-                    self.at = start;
-                    if !self.word() {
-                        self.at = self.character_end(start);
+                    self.scan.at = start;
+                    if !self.scan.word() {
+                        self.scan.skip_character();
                         self.stray(start);
                         continue;
                     }
-                    if self.bytes.get(self.at) == Some(&b'#') {
-                        self.at += 1;
+                    if self.scan.peek(0) == b'#' {
+                        self.scan.at += 1;
                         self.literal();
                         Kind::Literal
                     } else {
@@ -202,14 +194,14 @@ impl Lexer<'_, '_> {
                     }
                 }
             };
-            let span = self.span(start);
+            let span = self.scan.span(start);
             return Some(Token { kind, span });
         }
     }
 
     /// Words that begin and end declarations.
     fn note_section(&mut self, start: usize) {
-        let word = self.text.get(start..self.at).unwrap_or_default();
+        let word = self.scan.since(start);
         if word.eq_ignore_ascii_case("TYPE") && self.is_alone(start) {
             self.declares = true;
         } else if word.eq_ignore_ascii_case("END_VAR") || word.eq_ignore_ascii_case("END_TYPE") {
@@ -224,135 +216,112 @@ impl Lexer<'_, '_> {
 
     /// Whether the word that begins here begins its line, and no colon stands after it.
     fn is_alone(&self, start: usize) -> bool {
-        let (before, behind) = self.text.split_at(start);
+        let (before, behind) = self.scan.text.split_at(start);
         let before = before.trim_end_matches([' ', '\t']);
         let word = behind.trim_start_matches(|c: char| c.is_ascii_alphabetic());
         (before.is_empty() || before.ends_with('\n')) && !word.trim_start().starts_with(':')
     }
 
-    fn skip_line(&mut self) {
-        while self.bytes.get(self.at).is_some_and(|&byte| byte != b'\n') {
-            self.at += 1;
-        }
-    }
-
     fn two(&mut self, kind: Kind) -> Kind {
-        self.at += 1;
+        self.scan.at += 1;
         kind
-    }
-
-    /// Letters, digits and underscores, the first no digit; false where there are none.
-    fn word(&mut self) -> bool {
-        let start = self.at;
-        while let Some(&byte) = self.bytes.get(self.at) {
-            match byte {
-                b'A'..=b'Z' | b'a'..=b'z' | b'_' => self.at += 1,
-                b'0'..=b'9' if self.at > start => self.at += 1,
-                0x80.. => {
-                    let end = self.character_end(self.at);
-                    let letter = self.text.get(self.at..end);
-                    if !letter.is_some_and(|letter| letter.chars().all(char::is_alphabetic)) {
-                        break;
-                    }
-                    self.at = end;
-                }
-                _ => break,
-            }
-        }
-        self.at > start
     }
 
     /// `.Q`, `.1`, as often as they follow.
     fn members(&mut self) {
-        while self.bytes.get(self.at) == Some(&b'.') {
-            let point = self.at;
-            self.at += 1;
-            if !self.word() && !self.digits() {
-                self.at = point;
+        while self.scan.peek(0) == b'.' {
+            let point = self.scan.at;
+            self.scan.at += 1;
+            if !self.scan.word() && !self.digits() {
+                self.scan.at = point;
                 return;
             }
         }
     }
 
     fn digits(&mut self) -> bool {
-        let start = self.at;
-        while matches!(self.bytes.get(self.at), Some(b'0'..=b'9' | b'_')) {
-            self.at += 1;
-        }
-        self.at > start
+        let start = self.scan.at;
+        self.scan
+            .skip_while(|byte| matches!(byte, b'0'..=b'9' | b'_'));
+        self.scan.at > start
     }
 
     fn number(&mut self) -> Kind {
         self.digits();
-        if self.bytes.get(self.at) == Some(&b'#') {
-            self.at += 1;
+        if self.scan.peek(0) == b'#' {
+            self.scan.at += 1;
             self.literal();
             return Kind::Literal;
         }
-        let [point, behind] = [self.at, self.at + 1].map(|at| self.bytes.get(at));
-        if point == Some(&b'.') && behind != Some(&b'.') {
-            self.at += 1;
+        if self.scan.peek(0) == b'.' && self.scan.peek(1) != b'.' {
+            self.scan.at += 1;
             self.digits();
         }
         self.decimal_comma();
-        while matches!(self.bytes.get(self.at), Some(byte) if byte.is_ascii_alphanumeric()) {
-            self.at += 1;
+        while self.scan.peek(0).is_ascii_alphanumeric() {
+            self.scan.at += 1;
             self.minus_of_exponent();
         }
         Kind::Number
     }
 
+    /// The byte before this one; 0 before the first.
+    fn before(&self) -> u8 {
+        let before = self.scan.at.checked_sub(1);
+        let byte = before.and_then(|at| self.scan.text.as_bytes().get(at));
+        byte.copied().unwrap_or(0)
+    }
+
     /// The minus of `1E-3`.
     fn minus_of_exponent(&mut self) {
-        let before = self.bytes.get(self.at - 1);
-        let [minus, digit] = [self.at, self.at + 1].map(|at| self.bytes.get(at));
-        let exponent = matches!(before, Some(b'e' | b'E')) && minus == Some(&b'-');
-        if exponent && digit.is_some_and(u8::is_ascii_digit) {
-            self.at += 1;
+        let exponent = matches!(self.before(), b'e' | b'E') && self.scan.peek(0) == b'-';
+        if exponent && self.scan.peek(1).is_ascii_digit() {
+            self.scan.at += 1;
         }
     }
 
     /// A comma within a time, `1,5s`, belongs to its number: after it stand digits and a unit.
     fn decimal_comma(&mut self) {
-        let rest = self.bytes.get(self.at..).unwrap_or_default();
-        let [b',', behind @ ..] = rest else { return };
-        let digits = behind.iter().take_while(|b| b.is_ascii_digit()).count();
-        if digits > 0 && behind.get(digits).is_some_and(u8::is_ascii_alphabetic) {
-            self.at += 1 + digits;
+        let Some(behind) = self.scan.rest().strip_prefix(',') else {
+            return;
+        };
+        let digits = behind.bytes().take_while(u8::is_ascii_digit).count();
+        if digits > 0 && self.scan.peek(1 + digits).is_ascii_alphabetic() {
+            self.scan.at += 1 + digits;
         }
     }
 
     /// A text up to the quote that closes it, where its line has that.
     fn quoted(&mut self, quote: u8) -> bool {
-        let rest = self.bytes.get(self.at..).unwrap_or_default();
-        let mut rest = rest.iter().take_while(|byte| **byte != b'\n');
-        let length = rest.position(|byte| *byte == quote);
-        self.at += length.map_or(0, |length| length + 1);
+        let rest = self.scan.text.as_bytes().get(self.scan.at..);
+        let mut line = rest
+            .into_iter()
+            .flatten()
+            .take_while(|byte| **byte != b'\n');
+        let length = line.position(|byte| *byte == quote);
+        self.scan.at += length.map_or(0, |length| length + 1);
         length.is_some()
     }
 
     /// What follows a `#`.
     fn literal(&mut self) {
-        if let Some(&quote @ (b'\'' | b'"')) = self.bytes.get(self.at) {
-            self.at += 1;
+        if let quote @ (b'\'' | b'"') = self.scan.peek(0) {
+            self.scan.at += 1;
             self.quoted(quote);
             return;
         }
         let date = self.is_date();
-        if self.bytes.get(self.at) == Some(&b'-') {
-            self.at += 1;
+        if self.scan.peek(0) == b'-' {
+            self.scan.at += 1;
         }
-        let part = |lexer: &Self| {
-            matches!(
-                lexer.bytes.get(lexer.at),
-                Some(b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' | b'_' | b'.')
-            ) || date && matches!(lexer.bytes.get(lexer.at), Some(b'-' | b':'))
+        let is_part = |byte: u8| match byte {
+            b'-' | b':' => date,
+            byte => byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'.'),
         };
-        while part(self) || self.is_typed_radix() {
-            self.at += 1;
+        while is_part(self.scan.peek(0)) || self.is_typed_radix() {
+            self.scan.at += 1;
             self.minus_of_exponent();
-            let before = self.bytes.get(self.at - 1);
-            if before.is_some_and(u8::is_ascii_digit) {
+            if self.before().is_ascii_digit() {
                 self.decimal_comma();
             }
         }
@@ -360,7 +329,7 @@ impl Lexer<'_, '_> {
 
     /// Whether the `#` behind stands after the type of a date or a time of day.
     fn is_date(&self) -> bool {
-        let before = self.text.get(..self.at.saturating_sub(1));
+        let before = self.scan.text.get(..self.scan.at.saturating_sub(1));
         let word = before.and_then(|text| {
             text.rsplit(|c: char| !(c.is_alphanumeric() || c == '_'))
                 .next()
@@ -371,36 +340,34 @@ impl Lexer<'_, '_> {
 
     /// The second `#` of `UINT#16#F`.
     fn is_typed_radix(&self) -> bool {
-        let [before, sign, behind] = [self.at.wrapping_sub(1), self.at, self.at + 1]
-            .map(|at| self.bytes.get(at).copied().unwrap_or_default());
-        sign == b'#' && before.is_ascii_digit() && behind.is_ascii_alphanumeric()
+        self.scan.peek(0) == b'#'
+            && self.before().is_ascii_digit()
+            && self.scan.peek(1).is_ascii_alphanumeric()
     }
 
     /// A comment, from after its `(`. It may go over lines. One that the line closes by `* )` is meant to
     /// be closed there: else it would swallow the next instructions without a word.
     fn comment(&mut self, start: usize) {
         if let Some(&end) = self.nested.get(&start) {
-            self.at = end;
+            self.scan.at = end;
             return;
         }
-        self.at += 1;
+        self.scan.at += 1;
         let mut spaced = None;
-        while let Some(&byte) = self.bytes.get(self.at) {
-            self.at += 1;
+        while let Some(byte) = self.scan.first() {
+            self.scan.at += 1;
             match byte {
-                b'*' if self.bytes.get(self.at) == Some(&b')') => {
-                    self.at += 1;
+                b'*' if self.scan.peek(0) == b')' => {
+                    self.scan.at += 1;
                     return;
                 }
                 b'*' if spaced.is_none() => {
-                    let rest = &self.bytes[self.at..];
-                    let blanks = rest
-                        .iter()
-                        .take_while(|&&b| b == b' ' || b == b'\t')
-                        .count();
-                    if rest.get(blanks) == Some(&b')') {
-                        let close = (self.at - 1, self.at + blanks + 1);
-                        if self.at < self.unclosed {
+                    let rest = self.scan.text.as_bytes().get(self.scan.at..);
+                    let blanks = rest.into_iter().flatten();
+                    let blanks = blanks.take_while(|byte| b" \t".contains(byte)).count();
+                    if self.scan.peek(blanks) == b')' {
+                        let close = (self.scan.at - 1, self.scan.at + blanks + 1);
+                        if self.scan.at < self.unclosed {
                             return self.close_spaced(close);
                         }
                         spaced = Some(close);
@@ -426,28 +393,15 @@ impl Lexer<'_, '_> {
 
     /// Closes a comment at its `* )`; up to here there is no other.
     fn close_spaced(&mut self, (star, end): (usize, usize)) {
-        self.unclosed = self.unclosed.max(self.at);
-        self.at = end;
-        let span = self.span(star);
+        self.unclosed = self.unclosed.max(self.scan.at);
+        self.scan.at = end;
+        let span = self.scan.span(star);
         self.found.tell(Code::CommentSpaced, span, []);
     }
 
     fn stray(&mut self, start: usize) {
-        let span = self.span(start);
-        let text = self.text.get(span.range()).unwrap_or_default();
+        let text = self.scan.since(start);
+        let span = self.scan.span(start);
         self.found.tell(Code::StrayCharacter, span, [text.into()]);
-    }
-
-    /// After the character that begins here.
-    fn character_end(&self, start: usize) -> usize {
-        let rest = self.text.get(start..).unwrap_or_default();
-        start + rest.chars().next().map_or(1, char::len_utf8)
-    }
-
-    fn span(&self, start: usize) -> Span {
-        Span {
-            start: start as u32,
-            end: self.at as u32,
-        }
     }
 }
