@@ -5,6 +5,7 @@ mod beside;
 mod blocks;
 mod board;
 mod cases;
+mod charts;
 mod common;
 mod documents;
 mod examples;

@@ -1,0 +1,72 @@
+//! What charts take of a UNO.
+
+use std::fs;
+use std::path::Path;
+use unoclp_core::Board;
+use unoclp_lang::{TextLanguage, compile_text};
+
+/// How many bytes the board stores of a program in `programs/charts`.
+fn stored(name: &str) -> usize {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/charts");
+    let text = fs::read_to_string(folder.join(format!("{name}.st"))).unwrap();
+    stored_of(&text)
+}
+
+fn stored_of(text: &str) -> usize {
+    let made = compile_text(text, TextLanguage::St, Board::UNO);
+    assert_eq!(made.diagnostics.listed, [], "{text}");
+    made.program.unwrap().0.program().stored_bytes()
+}
+
+/// A chart of so many steps in a row, each with a contact and an output.
+fn row(steps: usize) -> String {
+    let step = |step: usize| {
+        let word = if step == 0 { "INITIAL_STEP" } else { "STEP" };
+        let to = (step + 1) % steps;
+        let (input, output) = (step % 8 + 1, step % 4 + 1);
+        format!(
+            "{word} S{step}: %QX{output}(N); END_STEP\n\
+             TRANSITION FROM S{step} TO S{to} := %IX{input}; END_TRANSITION\n"
+        )
+    };
+    (0..steps).map(step).collect()
+}
+
+#[test]
+fn charts_of_courses_leave_half_of_the_board() {
+    let names = [
+        "filling",
+        "cylinders",
+        "traffic",
+        "mixer",
+        "gate",
+        "washer",
+        "lift",
+        "table",
+        "stardelta",
+        "sorter",
+    ];
+    let sizes = names.map(|name| (name, stored(name)));
+    println!("{sizes:?}");
+    let large: Vec<_> = sizes.iter().filter(|(_, bytes)| *bytes > 450).collect();
+    assert!(large.is_empty(), "{large:?}");
+}
+
+#[test]
+fn a_step_with_a_contact_and_an_action_takes_twelve_bytes() {
+    let per_step = stored_of(&row(20)) - stored_of(&row(10));
+    assert!(per_step <= 10 * 14, "{per_step}");
+    let many = stored("many");
+    println!("28 steps: {many}");
+    assert!(many <= 450, "{many}");
+}
+
+/// Any number of steps is read in a time that grows with it, and told to be too many.
+#[test]
+fn a_hundred_thousand_steps_are_read() {
+    for steps in [1_000, 50_000, 100_000] {
+        let made = compile_text(&row(steps), TextLanguage::St, Board::UNO);
+        assert!(made.program.is_none(), "{steps}");
+        assert!(!made.diagnostics.listed.is_empty(), "{steps}");
+    }
+}
