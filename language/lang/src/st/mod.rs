@@ -1,7 +1,8 @@
 //! Structured Text (IEC 61131-3, B.3), SCL, and pieces of Instruction List that are written so: from a text to the typed tree.
 //!
 //! `lexer` (bytes → words, `token`; `comments` and `bounds` of literals), `typed::literal` (what they are worth), `parser` (words → `ast`;
-//! `pieces` of a list too), `check` (names and types, by the builder that all typed languages share). It knows no board and no
+//! `pieces` of a list too), `check` (names and types, by the builder that all typed languages share; what a chart does, `unoclp-chart`
+//! knows). It knows no board and no
 //! files, and no text makes it panic.
 
 mod ast;
@@ -25,16 +26,23 @@ use token::{Kind, Token};
 use unoclp_core::Board;
 use words::Keyword;
 
+/// What has a meaning of its own in a chart, and is a name elsewhere.
+const IN_CHARTS: [&str; 5] = ["STEP", "TRANSITION", "ACTION", "FROM", "PRIORITY"];
+
 /// The words of a text, and what each is.
 pub(crate) fn colours(text: &str, dialect: Dialect) -> Vec<(Span, Option<Colour>)> {
     let tokens = lexer::tokens(text, 0, dialect, &mut Found::default());
+    let written = |token: &Token| text.get(token.span.range()).unwrap_or_default();
+    let begins = |token: &Token| Keyword::of(written(token)) == Keyword::InitialStep;
+    let is_chart = tokens.iter().any(begins);
     let colour = |token: &Token| match token.kind {
         Kind::Address => Some(Colour::Point),
         Kind::Number | Kind::Typed => Some(Colour::Number),
         Kind::Text | Kind::Wide => Some(Colour::Text),
         Kind::Word => {
-            let word = text.get(token.span.range()).unwrap_or_default();
-            is_word(&word.to_ascii_uppercase()).then_some(Colour::Word)
+            let word = written(token).to_ascii_uppercase();
+            let is_word = is_word(&word) || is_chart && IN_CHARTS.contains(&&*word);
+            is_word.then_some(Colour::Word)
         }
         _ => None,
     };

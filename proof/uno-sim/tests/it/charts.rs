@@ -52,7 +52,9 @@ fn compared(uno: &mut UnoEngine, seed: u64) -> Result<Option<u32>, String> {
     let steps = 0..chart.steps.len();
     let steps: Vec<_> = steps.map(|step| place(&format!("s{step}.X"))).collect();
     let variables = 0..chart.variables;
-    let variables: Vec<_> = variables.map(|number| place(&format!("v{number}"))).collect();
+    let variables: Vec<_> = variables
+        .map(|number| place(&format!("v{number}")))
+        .collect();
     let bodies = 0..chart.bodies.len();
     let counts: Vec<_> = bodies.map(|number| place(&format!("n{number}"))).collect();
     with_plc(&mut checked, |plc| {
@@ -68,9 +70,14 @@ fn compared(uno: &mut UnoEngine, seed: u64) -> Result<Option<u32>, String> {
                 points: Image(points.into()),
                 ..Inputs::default()
             };
-            naive.scan([0, 1, 2, 3].map(|input| points >> input & 1 != 0), now.into());
+            naive.scan(
+                [0, 1, 2, 3].map(|input| points >> input & 1 != 0),
+                now.into(),
+            );
             let told = |what: String| format!("seed {seed}, scan {scan}, {now} ms: {what}\n{text}");
-            let came = uno.scan(&inputs, now).map_err(|error| told(error.to_string()))?;
+            let came = uno
+                .scan(&inputs, now)
+                .map_err(|error| told(error.to_string()))?;
             let ran = plc.scan(inputs, now).is_ok();
             if !ran || came.ok() != Some(plc.outputs()) {
                 return Err(told("the outputs differ".to_owned()));
@@ -114,6 +121,10 @@ fn random_charts_are_alike_on_the_firmware() {
     println!("{ran} random charts, {scans} scans alike; seeds from {first}");
     wrong.sort_by_key(String::len);
     let shortest = wrong.first().map_or("", String::as_str);
-    assert!(wrong.is_empty(), "{} differ; the shortest:\n{shortest}", wrong.len());
+    assert!(
+        wrong.is_empty(),
+        "{} differ; the shortest:\n{shortest}",
+        wrong.len()
+    );
     assert_eq!(ran, charts);
 }

@@ -71,8 +71,8 @@ impl Parser<'_, '_> {
         if self.is_word("ACTION") && named {
             return Some(Element::Action);
         }
-        let priority = self.ahead(1).kind == Kind::Open
-            && self.word_ahead(2).eq_ignore_ascii_case("PRIORITY");
+        let priority =
+            self.ahead(1).kind == Kind::Open && self.word_ahead(2).eq_ignore_ascii_case("PRIORITY");
         (self.is_word("TRANSITION") && (named || priority)).then_some(Element::Transition)
     }
 
@@ -179,7 +179,11 @@ impl Parser<'_, '_> {
         }
     }
 
-    fn chart_name(&mut self, what: (&str, &str), help: (&'static str, &'static str)) -> Parsed<Name> {
+    fn chart_name(
+        &mut self,
+        what: (&str, &str),
+        help: (&'static str, &'static str),
+    ) -> Parsed<Name> {
         let name = self.name(what, help)?;
         Ok(Name {
             text: name.text,
@@ -198,7 +202,11 @@ impl Parser<'_, '_> {
             return Ok(());
         }
         let written = self.short(start);
-        self.tell(Code::StNotClosed, start, [written.into(), end.name().into()]);
+        self.tell(
+            Code::StNotClosed,
+            start,
+            [written.into(), end.name().into()],
+        );
         Err(Told)
     }
 
@@ -409,7 +417,4 @@ impl Parser<'_, '_> {
     }
 }
 
-const STATEMENT: (&str, &str) = (
-    "it is not a part of a chart",
-    "não é uma parte de um SFC",
-);
+const STATEMENT: (&str, &str) = ("it is not a part of a chart", "não é uma parte de um SFC");
