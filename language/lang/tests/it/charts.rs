@@ -70,3 +70,37 @@ fn a_hundred_thousand_steps_are_read() {
         assert!(!made.diagnostics.listed.is_empty(), "{steps}");
     }
 }
+
+/// Twenty sequences at once come to a million situations.
+#[test]
+fn too_many_situations_are_not_searched() {
+    let all: Vec<usize> = (0..20).collect();
+    let list = |letter: &str| {
+        let names: Vec<String> = all
+            .iter()
+            .map(|number| format!("{letter}{number}"))
+            .collect();
+        names.join(", ")
+    };
+    let step = |number: &usize| {
+        format!(
+            "STEP a{number}: END_STEP STEP b{number}: END_STEP\n\
+             TRANSITION FROM a{number} TO b{number} := %IX1; END_TRANSITION\n"
+        )
+    };
+    let steps: String = all.iter().map(step).collect();
+    let text = format!(
+        "INITIAL_STEP S: %QX1(N); END_STEP\n{steps}TRANSITION FROM S TO ({}) := %IX2; END_TRANSITION\n\
+         TRANSITION FROM ({}) TO S := %IX3; END_TRANSITION\n",
+        list("a"),
+        list("b")
+    );
+    let made = compile_text(&text, TextLanguage::St, Board::UNO);
+    let told: Vec<String> = made
+        .diagnostics
+        .iter()
+        .map(|d| d.code.to_string())
+        .collect();
+    assert_eq!(told, ["ST-255"]);
+    assert!(made.program.is_some());
+}

@@ -43,7 +43,7 @@ fn difference(naive: &Naive<'_>, twins: &Twins<'_>, tree: &Tree, before: &str) -
 /// What differs.
 fn compared(seed: u64, board: Board) -> Result<bool, String> {
     let chart = sketch(seed);
-    let is_block = seed % 5 == 0;
+    let is_block = seed.is_multiple_of(5);
     let text = chart.text(is_block);
     let made = compile_text(&text, TextLanguage::St, board);
     if let Some(errors) = errors(&made) {
