@@ -27,6 +27,7 @@ use crate::moved::adapt_at;
 use crate::typed::build::{Builder, Letters};
 use crate::typed::{Tree, TypeId};
 use std::collections::HashMap;
+use unoclp_chart::{Cells, Net};
 use unoclp_core::Board;
 use unoclp_point::Maker;
 
@@ -53,8 +54,8 @@ pub(crate) struct Checker<'a, 't, 'f> {
     blocks: HashMap<String, usize>,
     /// Units with code for another machine by their names, and whether something uses them.
     foreign: HashMap<String, bool>,
-    /// The charts of the units that have one.
-    charts: HashMap<usize, chart::Declared>,
+    /// The charts of the units that have one, whose steps and actions are declared.
+    charts: HashMap<usize, (Net, Cells)>,
     /// What is checked is the body of an action.
     in_action: bool,
     /// Whether the text reads ENO of an instance.

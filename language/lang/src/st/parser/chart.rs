@@ -179,6 +179,17 @@ impl Parser<'_, '_> {
         }
     }
 
+    /// The name of a step or an action, which others may use.
+    fn declared_name(
+        &mut self,
+        what: (&str, &str),
+        help: (&'static str, &'static str),
+    ) -> Parsed<Name> {
+        let name = self.chart_name(what, help);
+        self.wrong_declarations |= name.is_err();
+        name
+    }
+
     fn chart_name(
         &mut self,
         what: (&str, &str),
@@ -213,7 +224,7 @@ impl Parser<'_, '_> {
     fn step(&mut self, chart: &mut Chart) -> Parsed<()> {
         let initial = self.keyword() == Keyword::InitialStep;
         let start = self.next().span;
-        let name = self.chart_name(("the name of the step", "o nome da etapa"), STEP)?;
+        let name = self.declared_name(("the name of the step", "o nome da etapa"), STEP)?;
         let mut step = Step {
             name,
             initial,
@@ -406,7 +417,7 @@ impl Parser<'_, '_> {
 
     fn action(&mut self, chart: &mut Chart) -> Parsed<()> {
         let start = self.next().span;
-        let name = self.chart_name(("the name of the action", "o nome da ação"), ACTION)?;
+        let name = self.declared_name(("the name of the action", "o nome da ação"), ACTION)?;
         let colon = self.accept(Kind::Colon);
         if !colon {
             self.missing(("a `:`", "um `:`"), ACTION);
