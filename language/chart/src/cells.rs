@@ -7,7 +7,9 @@ use crate::{Name, Qualifier};
 use std::sync::Arc;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::build::{Builder, Named, Section, Traits, both};
-use unoclp_tree::{Base, Initial, Kind, Member, Place, Root, Standard, StmtKind, Type, TypeId, Value};
+use unoclp_tree::{
+    Base, Initial, Kind, Member, Place, Root, Standard, StmtKind, Type, TypeId, Value,
+};
 
 /// T of a step, after X.
 pub(crate) const TIME: u32 = 1;
@@ -115,7 +117,10 @@ fn named(
 
 /// An edge.
 fn edge(builder: &mut Builder<'_, '_>, edge: Standard) -> TypeId {
-    builder.tree.types.add_kind(Kind::Standard(edge), edge.cells())
+    builder
+        .tree
+        .types
+        .add_kind(Kind::Standard(edge), edge.cells())
 }
 
 /// Of what is wrong, which has been told.
@@ -193,9 +198,7 @@ fn of_cause(builder: &mut Builder<'_, '_>, name: &str, number: usize, cause: Cau
 /// A BOOL variable that is an action.
 fn variable(builder: &mut Builder<'_, '_>, name: &Name) -> Option<Place> {
     let is_bool = match builder.find(&name.text) {
-        Some(Named::Variable(variable)) => {
-            builder.tree.types.base(variable.ty) == Some(Base::Bool)
-        }
+        Some(Named::Variable(variable)) => builder.tree.types.base(variable.ty) == Some(Base::Bool),
         Some(_) => false,
         None => name.text.starts_with('%'),
     };

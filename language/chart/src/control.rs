@@ -46,7 +46,10 @@ pub(crate) fn control(
     let resets = control.does.iter().filter(|cause| is(cause, R));
     let mut reset = joined(Binary::Or, resets.map(|cause| active(cells, cause)));
     let keeps = control.body.is_none()
-        && control.does.iter().all(|cause| matches!(cause.qualifier, S | R));
+        && control
+            .does
+            .iter()
+            .all(|cause| matches!(cause.qualifier, S | R));
     let stored = if keeps { &own.q } else { &own.stored };
     let mut when = When {
         before: Vec::new(),
@@ -72,7 +75,11 @@ pub(crate) fn control(
         };
         let over = || output(&of.block, TIMER_Q, at);
         let sets = |on: Expr| puts(on, &of.stored, true, at);
-        let ends = || reset.clone().map(|reset| puts(reset, &of.stored, false, at));
+        let ends = || {
+            reset
+                .clone()
+                .map(|reset| puts(reset, &of.stored, false, at))
+        };
         let held = || bit(&of.stored, at);
         match cause.qualifier {
             N => lasts.push(x),
@@ -140,5 +147,6 @@ pub(crate) fn control(
 
 /// Whether an expression is one bit.
 pub(crate) fn is_bit(expr: &Expr) -> bool {
-    matches!(&expr.kind, ExprKind::Read(place) if place.indices.is_empty()) && expr.base == Base::Bool
+    matches!(&expr.kind, ExprKind::Read(place) if place.indices.is_empty())
+        && expr.base == Base::Bool
 }

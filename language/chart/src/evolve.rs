@@ -3,10 +3,10 @@
 //! Owns that all of them are judged on the steps as they were when the scan began.
 
 use crate::cells::{Cells, TIME, passing};
+use crate::control::EDGE_Q;
 use crate::net::Net;
 use crate::order::order;
 use crate::touched::places_of;
-use crate::control::EDGE_Q;
 use crate::write::{
     assign, bit, both, call, joined, not, now, output, part, read, time, truth, when,
 };
@@ -64,7 +64,10 @@ pub(crate) fn evolve(
     }
     all.extend(then);
     for &step in timed {
-        let (at, rises) = (net.steps[step as usize].name.at, &cells.rises[step as usize]);
+        let (at, rises) = (
+            net.steps[step as usize].name.at,
+            &cells.rises[step as usize],
+        );
         let active = &cells.steps[step as usize];
         all.extend(call(Standard::RTrig, rises, vec![(0, bit(active, at))], at));
         let begins = assign(part(active, TIME, at), time(0, at));
@@ -103,7 +106,10 @@ fn clocks(
         all.push(when(not(bit(&cells.begun, at)), begins, at));
     }
     let before = read(part(&cells.before, 0, at), Base::Time);
-    all.push(assign(part(&passed, 0, at), both(Binary::Subtract, now(at), before)));
+    all.push(assign(
+        part(&passed, 0, at),
+        both(Binary::Subtract, now(at), before),
+    ));
     all.push(assign(part(&cells.before, 0, at), now(at)));
     for &step in timed {
         let at = net.steps[step as usize].name.at;
@@ -167,11 +173,7 @@ fn pictures(
 }
 
 /// For each step that a transition leaves and enters, before another that leaves it: that one of them has fired.
-fn holds(
-    net: &Net,
-    builder: &mut Builder<'_, '_>,
-    all: &mut Vec<Stmt>,
-) -> HashMap<u32, Place> {
+fn holds(net: &Net, builder: &mut Builder<'_, '_>, all: &mut Vec<Stmt>) -> HashMap<u32, Place> {
     let mut held = HashMap::new();
     for (number, step) in (0..).zip(&net.steps) {
         let but_last = step.leave.split_last().map_or(&[][..], |(_, all)| all);

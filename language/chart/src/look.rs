@@ -168,7 +168,9 @@ impl Net {
             found.tell(Code::StTokenDoubled, at, [name(step).into()]);
         }
         for last in seen.last.iter().take(MOST_TOLD) {
-            let mut waits = last.iter().flat_map(|step| &self.steps[*step as usize].leave);
+            let mut waits = last
+                .iter()
+                .flat_map(|step| &self.steps[*step as usize].leave);
             let active = || listed(&mut last.iter().copied()).into();
             match (waits.next(), last.first()) {
                 (Some(turn), _) if stays.contains(turn) => {}

@@ -5,7 +5,7 @@
 //! languages share). [`condition()`]: an expression alone, asked again and again.
 //!
 //! Owns what each word of Structured Text means. Must not know other languages, instructions of a board, files. No text makes
-//! it panic.
+//! it panic. What a chart does, `unoclp-chart` knows.
 
 #![forbid(unsafe_code)]
 
@@ -34,16 +34,23 @@ use unoclp_text::diagnostics::{Code, Found, Span};
 use unoclp_tree::{Base, Standard, Tree};
 use words::Keyword;
 
+/// What has a meaning of its own in a chart, and is a name elsewhere.
+const IN_CHARTS: [&str; 5] = ["STEP", "TRANSITION", "ACTION", "FROM", "PRIORITY"];
+
 /// The words of a text, and what each is.
 pub fn colours(text: &str, dialect: Dialect) -> Vec<(Span, Option<Colour>)> {
     let tokens = lexer::tokens(text, 0, dialect, &mut Found::default());
+    let written = |token: &Token| text.get(token.span.range()).unwrap_or_default();
+    let begins = |token: &Token| Keyword::of(written(token)) == Keyword::InitialStep;
+    let is_chart = tokens.iter().any(begins);
     let colour = |token: &Token| match token.kind {
         Kind::Address => Some(Colour::Point),
         Kind::Number | Kind::Typed => Some(Colour::Number),
         Kind::Text | Kind::Wide => Some(Colour::Text),
         Kind::Word => {
-            let word = text.get(token.span.range()).unwrap_or_default();
-            is_word(&word.to_ascii_uppercase()).then_some(Colour::Word)
+            let word = written(token).to_ascii_uppercase();
+            let is_word = is_word(&word) || is_chart && IN_CHARTS.contains(&&*word);
+            is_word.then_some(Colour::Word)
         }
         _ => None,
     };

@@ -136,6 +136,7 @@ fn examples() {
                     Code::StTooDeep,
                     Code::StLongIf,
                     Code::StLongNames,
+                    Code::StChartTooLarge,
                     Code::BoardNoneLeft,
                     Code::BoardLabels,
                     Code::BoardTooLarge,

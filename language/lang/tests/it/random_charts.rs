@@ -64,7 +64,8 @@ fn compared(seed: u64, board: Board) -> Result<bool, String> {
         let mut now = random.below(1_000) as u32;
         for scan in 0..SCANS {
             for (at, symbol) in tree.symbols.iter().enumerate() {
-                let is_input = symbol.name.starts_with("%IX") || !is_block && symbol.name.starts_with('i');
+                let is_input =
+                    symbol.name.starts_with("%IX") || !is_block && symbol.name.starts_with('i');
                 if is_input && random.percent(30) {
                     twins.set(plc, at, &Value::Int(random.below(2) as i128));
                 }
@@ -73,7 +74,9 @@ fn compared(seed: u64, board: Board) -> Result<bool, String> {
             let inputs = [0, 1, 2, 3].map(|input| points >> input & 1 != 0);
             naive.scan(inputs, now.into());
             let ran = twins.scan(plc, now);
-            let differs = ran.err().or_else(|| difference(&naive, &twins, &tree, before));
+            let differs = ran
+                .err()
+                .or_else(|| difference(&naive, &twins, &tree, before));
             if let Some(why) = differs {
                 return Err(format!("seed {seed}, scan {scan}: {why}\n{text}"));
             }

@@ -8,9 +8,10 @@ use unoclp_lang::typed::{Base, Value};
 use unoclp_lang::{Diagnostic, Severity, TextLanguage, check};
 
 /// A language, its page, and how many examples that has at least.
-const PAGES: [(TextLanguage, &str, usize); 5] = [
+const PAGES: [(TextLanguage, &str, usize); 6] = [
     (TextLanguage::St, "structured-text", 9),
     (TextLanguage::St, "types", 8),
+    (TextLanguage::St, "sfc", 3),
     (TextLanguage::Iscl, "interscl", 3),
     (TextLanguage::Lce, "lce", 4),
     (TextLanguage::Il, "instruction-list", 4),

@@ -8,12 +8,6 @@ use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::{Base, ExprKind, Stmt, TypeId};
 use unoclp_chart::{Cells, Net, Parts, lower};
 
-/// A chart whose steps and actions are declared.
-pub(super) struct Declared {
-    net: Net,
-    cells: Cells,
-}
-
 impl<'a> Checker<'a, '_, '_> {
     fn chart_of(&self, unit: usize) -> Option<&'a Chart> {
         self.file.units.get(unit)?.chart.as_ref()
@@ -26,12 +20,13 @@ impl<'a> Checker<'a, '_, '_> {
         };
         let net = Net::of(chart, &mut self.builder);
         let cells = Cells::declare(&net, &mut self.builder);
-        self.charts.insert(unit, Declared { net, cells });
+        self.charts.insert(unit, (net, cells));
     }
 
     /// The statements of a unit's chart, if it has one.
     pub(super) fn chart(&mut self, unit: usize) -> Vec<Stmt> {
-        let (Some(chart), Some(declared)) = (self.chart_of(unit), self.charts.remove(&unit)) else {
+        let (Some(chart), Some((net, cells))) = (self.chart_of(unit), self.charts.remove(&unit))
+        else {
             return Vec::new();
         };
         let mut parts = Parts::default();
@@ -54,7 +49,6 @@ impl<'a> Checker<'a, '_, '_> {
             self.in_action = false;
             parts.bodies.push(body);
         }
-        let Declared { net, cells } = declared;
         if !self.builder.found.has_errors() {
             net.look(chart.at, self.builder.found);
         }

@@ -23,6 +23,7 @@ pub use units::Of;
 
 use super::ast::File;
 use std::collections::HashMap;
+use unoclp_chart::{Cells, Net};
 use unoclp_core::Board;
 use unoclp_point::Maker;
 use unoclp_text::diagnostics::{Code, Found, Span, Word};
@@ -63,8 +64,8 @@ pub struct Checker<'a, 't, 'f> {
     blocks: HashMap<String, usize>,
     /// Units with code for another machine by their names, and whether something uses them.
     foreign: HashMap<String, bool>,
-    /// The charts of the units that have one.
-    charts: HashMap<usize, chart::Declared>,
+    /// The charts of the units that have one, whose steps and actions are declared.
+    charts: HashMap<usize, (Net, Cells)>,
     /// What is checked is the body of an action.
     in_action: bool,
     /// Whether the text reads ENO of an instance.

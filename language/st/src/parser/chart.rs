@@ -71,8 +71,8 @@ impl Parser<'_, '_> {
         if self.is_word("ACTION") && named {
             return Some(Element::Action);
         }
-        let priority = self.ahead(1).kind == Kind::Open
-            && self.word_ahead(2).eq_ignore_ascii_case("PRIORITY");
+        let priority =
+            self.ahead(1).kind == Kind::Open && self.word_ahead(2).eq_ignore_ascii_case("PRIORITY");
         (self.is_word("TRANSITION") && (named || priority)).then_some(Element::Transition)
     }
 
@@ -179,7 +179,22 @@ impl Parser<'_, '_> {
         }
     }
 
-    fn chart_name(&mut self, what: (&str, &str), help: (&'static str, &'static str)) -> Parsed<Name> {
+    /// The name of a step or an action, which others may use.
+    fn declared_name(
+        &mut self,
+        what: (&str, &str),
+        help: (&'static str, &'static str),
+    ) -> Parsed<Name> {
+        let name = self.chart_name(what, help);
+        self.wrong_declarations |= name.is_err();
+        name
+    }
+
+    fn chart_name(
+        &mut self,
+        what: (&str, &str),
+        help: (&'static str, &'static str),
+    ) -> Parsed<Name> {
         let name = self.name(what, help)?;
         Ok(Name {
             text: name.text,
@@ -198,14 +213,18 @@ impl Parser<'_, '_> {
             return Ok(());
         }
         let written = self.short(start);
-        self.tell(Code::StNotClosed, start, [written.into(), end.name().into()]);
+        self.tell(
+            Code::StNotClosed,
+            start,
+            [written.into(), end.name().into()],
+        );
         Err(Told)
     }
 
     fn step(&mut self, chart: &mut Chart) -> Parsed<()> {
         let initial = self.keyword() == Keyword::InitialStep;
         let start = self.next().span;
-        let name = self.chart_name(("the name of the step", "o nome da etapa"), STEP)?;
+        let name = self.declared_name(("the name of the step", "o nome da etapa"), STEP)?;
         let mut step = Step {
             name,
             initial,
@@ -398,7 +417,7 @@ impl Parser<'_, '_> {
 
     fn action(&mut self, chart: &mut Chart) -> Parsed<()> {
         let start = self.next().span;
-        let name = self.chart_name(("the name of the action", "o nome da ação"), ACTION)?;
+        let name = self.declared_name(("the name of the action", "o nome da ação"), ACTION)?;
         let colon = self.accept(Kind::Colon);
         if !colon {
             self.missing(("a `:`", "um `:`"), ACTION);
@@ -409,7 +428,4 @@ impl Parser<'_, '_> {
     }
 }
 
-const STATEMENT: (&str, &str) = (
-    "it is not a part of a chart",
-    "não é uma parte de um SFC",
-);
+const STATEMENT: (&str, &str) = ("it is not a part of a chart", "não é uma parte de um SFC");

@@ -96,7 +96,7 @@ impl Parser<'_, '_> {
         };
         let mut unit = self.inside(UnitKind::Program, name, None, file);
         // Blocks and functions may stand between.
-        if unit.vars.is_empty() && unit.body.is_empty() {
+        if unit.vars.is_empty() && unit.body.is_empty() && unit.chart.is_none() {
             return;
         }
         unit.kind = UnitKind::Program;

@@ -64,7 +64,11 @@ impl<'c> Naive<'c> {
             time: vec![0; steps],
             since: vec![0; steps],
             begun: false,
-            causes: chart.steps.iter().map(|does| vec![Cause::default(); does.len()]).collect(),
+            causes: chart
+                .steps
+                .iter()
+                .map(|does| vec![Cause::default(); does.len()])
+                .collect(),
             stored: vec![false; actions],
             lasted: vec![false; actions],
             variables: vec![false; chart.variables],
@@ -110,7 +114,10 @@ impl<'c> Naive<'c> {
         let mut entered = left.clone();
         for turn in turns {
             let transition = &self.chart.transitions[turn];
-            let ready = transition.from.iter().all(|step| self.active[*step] && !left[*step]);
+            let ready = transition
+                .from
+                .iter()
+                .all(|step| self.active[*step] && !left[*step]);
             if ready && self.holds(&transition.condition, inputs) {
                 transition.from.iter().for_each(|step| left[*step] = true);
                 transition.to.iter().for_each(|step| entered[*step] = true);

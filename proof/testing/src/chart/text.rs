@@ -26,7 +26,9 @@ impl Chart {
         };
         let vars = match is_block {
             true => "VAR_INPUT i1, i2, i3, i4 : BOOL; END_VAR\nVAR",
-            false => "VAR i1 AT %IX1 : BOOL; i2 AT %IX2 : BOOL; i3 AT %IX3 : BOOL; i4 AT %IX4 : BOOL;",
+            false => {
+                "VAR i1 AT %IX1 : BOOL; i2 AT %IX2 : BOOL; i3 AT %IX3 : BOOL; i4 AT %IX4 : BOOL;"
+            }
         };
         let _ = writeln!(text, "{head}\n{vars} x : INT;");
         for number in 0..self.variables {
@@ -80,9 +82,9 @@ impl Chart {
                 Body::Edge => format!(
                     "e{number}(CLK := {name}.Q); IF e{number}.Q THEN n{number} := n{number} + 1; END_IF;"
                 ),
-                Body::Timer => format!(
-                    "t{number}(IN := {name}.Q, PT := T#30ms); b{number} := t{number}.Q;"
-                ),
+                Body::Timer => {
+                    format!("t{number}(IN := {name}.Q, PT := T#30ms); b{number} := t{number}.Q;")
+                }
                 Body::Shares => format!("x := (x * 3 + {}) MOD 1000;", number + 1),
                 Body::Copies(input) => format!("b{number} := i{};", input + 1),
             };

@@ -5,6 +5,7 @@ mod arithmetic;
 mod boot_loaders;
 mod brackets;
 mod cards;
+mod charts;
 mod clients;
 mod common;
 mod demo;

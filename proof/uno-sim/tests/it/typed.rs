@@ -4,7 +4,7 @@
 
 #[path = "../../../../language/lang/tests/it/board.rs"]
 #[allow(dead_code, reason = "the tests of the compiler use more of it")]
-mod board;
+pub mod board;
 
 use crate::common;
 use board::{Twins, errors, with_plc};
