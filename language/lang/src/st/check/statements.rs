@@ -4,7 +4,7 @@ use super::super::ast::{Arm, Counting, Node, NodeKind, Path, Statement, Statemen
 use super::Checker;
 use crate::diagnostics::{Code, Span};
 use crate::typed::build::{Named, Target, turns};
-use crate::typed::{Base, Kind, Root, Stmt, StmtKind, UnitKind, Value};
+use crate::typed::{Base, Kind, Root, Stmt, StmtKind, Store, UnitKind, Value};
 use std::collections::BTreeMap;
 
 impl Checker<'_, '_, '_> {
@@ -94,10 +94,18 @@ impl Checker<'_, '_, '_> {
             told.collect::<Vec<Stmt>>()
         };
         let is_told = tell(true);
-        let otherwise = match !is_told.is_empty() && condition.is_some() {
+        let mut otherwise = match !is_told.is_empty() && condition.is_some() {
             true => tell(false),
             false => Vec::new(),
         };
+        if let Some(StmtKind::Assign(to, _, Store::Narrow(Base::Bool))) =
+            done.last().map(|s| &s.kind)
+        {
+            // A truth that nobody has found is none.
+            let value = self.builder.literal(Base::Bool, Value::truth(false), at);
+            let kind = StmtKind::Assign(to.clone(), value, Store::Narrow(Base::Bool));
+            otherwise.push(Stmt { kind, at });
+        }
         done.extend(is_told);
         match condition {
             Some(condition) => {
