@@ -97,6 +97,11 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         let from = &network.elements[wire.from];
         let is_number = from.kind == "block" && self.gives_number(wire.from, wire.output);
         if !is_number {
+            if from.kind == "block" && !from.remembers() && !wire.output.eq_ignore_ascii_case("ENO")
+            {
+                // A variable after a function keeps its value where EN has no power.
+                self.unconditional(wire.from)?;
+            }
             let circuit = self.power(at, "")?;
             return self.coil(at, circuit, "");
         }

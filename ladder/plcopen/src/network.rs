@@ -17,6 +17,8 @@ pub(crate) struct Network<'a, 'x> {
     pub elements: Vec<Element<'a, 'x>>,
     /// What the outputs of each element lead to.
     pub readers: Vec<Vec<Reader<'a>>>,
+    /// Whether its elements run in the order of the file.
+    is_in_order: bool,
     /// In which rung each element stands, from 1; none of rails, labels and comments.
     rungs: Vec<Option<usize>>,
     by_id: HashMap<&'a str, usize>,
@@ -71,9 +73,12 @@ pub(crate) struct Wire<'a> {
 }
 
 impl<'a, 'x: 'a> Network<'a, 'x> {
-    /// Where an element comes among the others, from top to bottom and from left to right.
+    /// Where an element comes among the others: from top to bottom and from left to right, or in the order of the file.
     pub(crate) fn turn(&self, at: usize) -> ((i64, i64), usize) {
-        (self.elements[at].place, at)
+        match self.is_in_order {
+            true => ((0, 0), at),
+            false => (self.elements[at].place, at),
+        }
     }
 
     /// The elements of a body; wires that come from nowhere are told.
@@ -82,6 +87,7 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
             pou: pou.to_owned(),
             elements: Vec::new(),
             readers: Vec::new(),
+            is_in_order: is_in_order(body),
             rungs: Vec::new(),
             by_id: HashMap::new(),
             connectors: HashMap::new(),
@@ -330,6 +336,19 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
         }
     }
 }
+
+/// Whether the elements of a body run in the order of the file, which is that in which they were drawn: so OpenPLC Editor
+/// and Beremiz have it since 2024; before, they ran from top to bottom. Neither knows jumps and labels, which have places.
+fn is_in_order(body: Node<'_, '_>) -> bool {
+    let project = body.document().root_element();
+    let header = first(project, "contentHeader");
+    let saved = header.and_then(|header| header.attribute("modificationDateTime"));
+    let parts = |node: Node<'_, '_>| matches!(node.tag_name().name(), "jump" | "label" | "return");
+    saved.is_some_and(|saved| saved >= IN_ORDER) && !body.children().any(parts)
+}
+
+/// Projects that were saved since then run in the order of the file.
+const IN_ORDER: &str = "2024";
 
 /// What is wrong with an element: at which place in the file, and a word for it.
 type Wrong<'a, 'x> = (usize, Code, Node<'a, 'x>, Option<Word>);

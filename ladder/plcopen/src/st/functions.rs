@@ -37,20 +37,25 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
 
     /// Whether a variable takes the result of a function right where that is computed.
     pub(super) fn is_stored_by(&mut self, at: usize, output: &str) -> bool {
-        self.own[at].is_function() && !output.eq_ignore_ascii_case("ENO") && !self.is_truth(at)
+        self.own[at].is_function() && !output.eq_ignore_ascii_case("ENO") && self.stores_result(at)
+    }
+
+    /// Whether variables take a result where it is computed: numbers, and what they keep while EN has no power.
+    fn stores_result(&mut self, at: usize) -> bool {
+        !self.is_truth(at) || !self.network.elements[at].wires("EN").is_empty()
     }
 
     /// The variables that take the result right there, and how often it is taken elsewhere.
     fn takers(&mut self, at: usize) -> (Vec<usize>, usize) {
         let network = self.network;
-        let is_truth = self.is_truth(at);
+        let is_stored = self.stores_result(at);
         let (mut variables, mut others) = (Vec::new(), 0);
         let readers = network.readers[at].iter();
         let is_result = |reader: &&Reader<'_>| !reader.output.eq_ignore_ascii_case("ENO");
         for reader in readers.filter(is_result) {
             let by = &network.elements[reader.at];
             let stores = matches!(by.kind, "outVariable" | "inOutVariable");
-            match stores && !is_truth && by.wires("").len() == 1 {
+            match stores && is_stored && by.wires("").len() == 1 {
                 true => variables.push(reader.at),
                 false if network.is_end(reader.at) => {}
                 false => others += 1,

@@ -121,7 +121,7 @@ fn messages_name_the_rung_and_the_element() {
         ),
         r#"<coil localId="712"><position x="90" y="90"/><connectionPointIn><connection refLocalId="711" formalParameter="Q"/></connectionPointIn><variable>q</variable></coil>"#.to_owned(),
         rail(720, 200),
-        format!(r#"<block localId="721" typeName="PID"><position x="50" y="200"/><inputVariables><variable formalParameter="X">{}</variable></inputVariables><outputVariables/></block>"#, wire(720)),
+        format!(r#"<block localId="721" typeName="DELAY"><position x="50" y="200"/><inputVariables><variable formalParameter="X">{}</variable></inputVariables><outputVariables/></block>"#, wire(720)),
         "</LD>".to_owned(),
     ]
     .concat();
@@ -136,8 +136,8 @@ fn messages_name_the_rung_and_the_element() {
                 "`Main`, linha 2, bloco `lamp` (TON): nada chega a PT"
             ],
             [
-                "`Main`, rung 3, block `PID`: the block `PID` cannot be imported",
-                "`Main`, linha 3, bloco `PID`: o bloco `PID` não pode ser importado"
+                "`Main`, rung 3, block `DELAY`: the block `DELAY` cannot be imported",
+                "`Main`, linha 3, bloco `DELAY`: o bloco `DELAY` não pode ser importado"
             ],
         ]
     );

@@ -5,7 +5,7 @@ use super::Checker;
 use std::collections::BTreeMap;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::build::{Named, Target, turns};
-use unoclp_tree::{Base, Kind, Root, Stmt, StmtKind, UnitKind, Value};
+use unoclp_tree::{Base, Kind, Root, Stmt, StmtKind, Store, UnitKind, Value};
 
 impl Checker<'_, '_, '_> {
     pub(super) fn statements(&mut self, statements: &[Statement]) -> Vec<Stmt> {
@@ -98,10 +98,18 @@ impl Checker<'_, '_, '_> {
             told.collect::<Vec<Stmt>>()
         };
         let is_told = tell(true);
-        let otherwise = match !is_told.is_empty() && condition.is_some() {
+        let mut otherwise = match !is_told.is_empty() && condition.is_some() {
             true => tell(false),
             false => Vec::new(),
         };
+        if let Some(StmtKind::Assign(to, _, Store::Narrow(Base::Bool))) =
+            done.last().map(|s| &s.kind)
+        {
+            // A truth that nobody has found is none.
+            let value = self.builder.literal(Base::Bool, Value::truth(false), at);
+            let kind = StmtKind::Assign(to.clone(), value, Store::Narrow(Base::Bool));
+            otherwise.push(Stmt { kind, at });
+        }
         done.extend(is_told);
         match condition {
             Some(condition) => {
