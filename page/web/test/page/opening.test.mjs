@@ -92,6 +92,23 @@ test("the door Draw leads to an empty sheet with the palette, and is not there t
   await page.context().close();
 });
 
+test("who comes by a link sees that program, and is told nothing of one that never was", async () => {
+  const maker = await lab.still({ permissions: ["clipboard-read", "clipboard-write"] });
+  await type(maker, "LD I4\nST Q4\n", "link.il");
+  await pick(maker, "#share");
+  await maker.locator("#notes", { hasText: "clipboard" }).waitFor();
+  const link = await maker.evaluate(() => navigator.clipboard.readText());
+  await maker.context().close();
+  const context = await lab.browser.newContext({ serviceWorkers: "block" });
+  const page = await context.newPage();
+  await page.goto(link);
+  await page.locator('#sheet .element[data-point="Q4"]').waitFor();
+  assert.equal(await page.inputValue("#name"), "link.il");
+  assert.equal(await page.locator("#notes > div").count(), 0);
+  assert.ok(await page.locator("#welcome").isHidden());
+  await context.close();
+});
+
 test("the sheet keeps its height in every state at 1366 × 768", async () => {
   const page = await lab.other({ viewport: { width: 1366, height: 768 } }, { view: "draw", drawer: "" });
   const high = async (/** @type {string} */ where) => {
