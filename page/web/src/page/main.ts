@@ -61,6 +61,7 @@ async function load(): Promise<void> {
   const put = (work: Text & Partial<Work>): Work => {
     const before = program.replace(work);
     editor.show(work.text);
+    panel.kindsOf(work.text);
     return before;
   };
   /** Another program, in a place of its own; the one before stays where it was, and comes back on request. */

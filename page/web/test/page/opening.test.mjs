@@ -164,13 +164,14 @@ test("what is told lies over no control, and the status keeps its height", async
   const height = () => page.locator("#status").evaluate((status) => status.getBoundingClientRect().height);
   await page.locator("#run:enabled").waitFor();
   const first = await height();
+  await tab(page, "watch");
   await pick(page, "#new-file");
   await page.locator("#notes > div").first().waitFor();
   const under = await page.evaluate(() => {
     const notes = [...document.querySelectorAll("#notes > div")].map((note) => note.getBoundingClientRect());
     return [...document.querySelectorAll("button, select, input, [role=separator]")].filter((one) => {
       const box = one.getBoundingClientRect();
-      const isSeen = one.checkVisibility({ visibilityProperty: true }) && !one.closest("#notes, .tabpanel");
+      const isSeen = one.checkVisibility({ visibilityProperty: true }) && !one.closest("#notes");
       return isSeen && notes.some((note) => box.left < note.right && box.right > note.left && box.top < note.bottom && box.bottom > note.top);
     }).map((one) => one.id || one.outerHTML.slice(0, 80));
   });
