@@ -21,7 +21,7 @@ import { MachineArea } from "./machine";
 import { note } from "./notes";
 import { OnBoard } from "./onboard";
 import { Panel } from "./panel";
-import { here, keptAt, moveOn, moveTo, programOf } from "./place";
+import { here, keptAt, keptHere, moveOn, moveTo, programOf } from "./place";
 import { pointsOf } from "./points";
 import { whyNot } from "./problems";
 import { ProgramView } from "./programview";
@@ -42,6 +42,8 @@ async function load(): Promise<void> {
   const module = await modules.first();
   const remote = new RemoteTools(await checker, modules, module);
   const isFirst = isFirstVisit();
+  /** Whether there is a program here that a link must not take the place of. */
+  let hasOwn = keptHere("program") !== null;
   const program = new ProgramDocument(remote);
   const first = program.text.value;
   const board = await simulator;
@@ -52,6 +54,7 @@ async function load(): Promise<void> {
   byId("stuck").remove();
   const editor = new Editor(byId("editor"), program.text.value.text, {
     changed: (text) => {
+      hasOwn = true;
       program.text.value = { ...program.text.value, text };
     },
     tooLong: () => note(() => say("textTooLong")),
@@ -60,6 +63,7 @@ async function load(): Promise<void> {
   const put = (work: Text & Partial<Work>): Work => {
     const before = program.replace(work);
     editor.show(work.text);
+    panel.kindsOf(work.text);
     return before;
   };
   /** Another program, in a place of its own; the one before stays where it was, and comes back on request. */
@@ -167,9 +171,10 @@ async function load(): Promise<void> {
     const [text, plant] = carried ? pairs(carried.parts) : [];
     if (!carried || !text) return note(() => say("linkBroken"));
     if (carried.kind === "p") {
-      moveOn();
+      if (hasOwn) moveOn();
       put(text);
-      note(() => say("linkOpened"));
+      if (hasOwn) note(() => say("linkOpened"));
+      hasOwn = true;
     } else if (carried.kind === "m") await machine.open({ ...text, isOwn: true });
     else await (await learning())?.take(text, plant ? [plant] : []);
   };
@@ -186,6 +191,7 @@ async function load(): Promise<void> {
   translate(document);
   bench.simulated.start(new Uint8Array(await firmware));
   await fromLink();
+  hasOwn ||= !isFirst;
   addEventListener("hashchange", () => void fromLink());
   document.documentElement.dataset["ready"] = "yes";
   performance.mark("ready");

@@ -35,7 +35,7 @@ export function menu(key: string, picture: Parameters<typeof icon>[0] | null, en
     if (opens) {
       list.replaceChildren(...entries());
       translate(list);
-      list.querySelector("button")?.focus();
+      list.querySelector<HTMLButtonElement>("button:enabled:not([hidden])")?.focus();
     }
   };
   button.addEventListener("click", () => {
@@ -55,7 +55,7 @@ export function menu(key: string, picture: Parameters<typeof icon>[0] | null, en
     if (!now || now === document.body || list.contains(now)) button.focus();
   });
   root.addEventListener("keydown", (event) => {
-    const buttons = [...list.querySelectorAll("button")];
+    const buttons = [...list.querySelectorAll<HTMLButtonElement>("button:enabled")].filter((one) => one.offsetParent !== null);
     const at = buttons.indexOf(document.activeElement as HTMLButtonElement);
     if (event.key === "Escape" && !list.hidden) {
       open(false);
@@ -90,7 +90,9 @@ function place(list: HTMLElement, at: At | null): void {
   list.style.top = at ? `${within(at.y, list.offsetHeight, innerHeight)}px` : "";
   if (at || list.hidden) return;
   const { left } = list.getBoundingClientRect();
-  list.style.left = `${within(left, list.offsetWidth, innerWidth) - left}px`;
+  // A list that hangs over widens what the window counts on a phone.
+  if (getComputedStyle(list.parentElement ?? list).position === "static") return;
+  list.style.left = `${within(left, list.offsetWidth, document.documentElement.clientWidth) - left}px`;
 }
 
 /** An entry of a menu. */

@@ -28,7 +28,7 @@ export class Panel {
   private readonly readings = new Map<number, number>();
   private readonly cards: Readonly<Record<Card, HTMLElement>>;
   /** How time goes: what the bar shows of it, and what a menu has. */
-  readonly time: { readonly speed: HTMLElement; readonly rows: readonly HTMLElement[] };
+  readonly time: { readonly speed: HTMLElement; readonly rows: readonly HTMLElement[]; readonly pace: HTMLElement };
   readonly allButtons = h("button", { type: "button", id: "all-buttons", "data-say": "moreButtons", "aria-pressed": "false" });
 
   constructor(
@@ -44,7 +44,7 @@ export class Panel {
     this.time = this.clock();
     const lamps = h("div", { class: "card lights" }, h("h3", {}, h("span", { "data-say": "lamps" })), this.lamps.root);
     const docked = h("div", { class: "docked" }, this.contacts, lamps);
-    root.append(machine, h("div", {}, docked), this.knobs, ...Object.values(this.cards), desk);
+    root.append(machine, h("div", {}, docked), this.knobs, this.time.pace, ...Object.values(this.cards), desk);
     layOut(docked);
     for (const card of CARDS) this.cards[card].hidden = !(kept(SHOWN) ?? "").split(" ").includes(card);
     bench.board.follow((board) => {
@@ -185,7 +185,7 @@ export class Panel {
     bench.paused.follow((paused) => {
       speed.value = paused ? "0" : before;
     });
-    const pace = h("p", { class: "pace note", id: "pace" });
+    const pace = h("p", { class: "pace", id: "pace" });
     const show = (): void => {
       const now = bench.pace.value;
       const two = (factor: number): string => factor.toLocaleString(speak.value === "pt" ? "pt-BR" : "en-US", { maximumSignificantDigits: 2 });
@@ -220,7 +220,7 @@ export class Panel {
       pace.hidden = where !== "simulated";
     });
     const resume = h("button", { type: "button", id: "command-run", click: () => void bench.ask({ do: "run" }) }, h("span", { "data-say": "commandRun" }));
-    return { speed, rows: [pause, scan, resume, pace] };
+    return { speed, rows: [pause, scan, resume], pace };
   }
 
   private async scan(): Promise<void> {

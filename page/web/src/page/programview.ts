@@ -20,6 +20,9 @@ import { countOf, showProblems } from "./problems";
 
 const VIEWS = ["draw", "both", "text"] as const;
 const TITLES = { draw: "viewDraw", both: "viewBoth", text: "viewText" } as const;
+/** Instructions that no person draws. */
+const BYTES = />\s*(PUSH|POP|LDX|STX)\b/;
+
 export class ProgramView {
   private readonly ladder: LadderView;
   /** How many problems there are: what the tab of the problems says. */
@@ -27,6 +30,15 @@ export class ProgramView {
   private readonly size = h("span", { class: "chip" });
   /** The screen on which one draws, as soon as somebody has wanted it. */
   private screen: (() => Promise<Screen | null>) | null = null;
+  /** Of a text whose ladder is byte code none is shown unless somebody asks for it: said here. */
+  private readonly bytes = h("p", { class: "empty", id: "ladder-bytes", hidden: true }, h("span", { "data-say": "ladderBytes" }), " ",
+    h("button", { type: "button", id: "ladder-anyway", "data-say": "ladderAnyway", click: () => {
+      this.asked = this.program.text.value.name;
+      this.bytes.hidden = true;
+      byId("ladder").hidden = false;
+    } }));
+  /** The program whose byte code somebody wants to see. */
+  private asked = "";
   /** What is drawn: of this text. */
   private drawn: string | null = null;
 
@@ -44,6 +56,7 @@ export class ProgramView {
       line: (line) => this.editor.go(line),
       point: (point) => force(this.bench, point),
     });
+    byId("ladder").before(this.bytes);
     byId("drawing").append(this.ladder.zoomButtons());
     byId("program-bar").prepend(this.views());
     byId("program-bar").append(h("span", { class: "grow" }), this.size);
@@ -148,6 +161,9 @@ export class ProgramView {
     const { svg } = await this.tools.ask("ladder", { of: text, width: 64, speak: speak.value });
     // Another was asked for meanwhile.
     if (key !== this.drawn) return;
+    const hides = BYTES.test(svg) && !["il", "numeric"].includes(this.program.looked.value?.checked.language ?? "") && this.asked !== text.name;
+    this.bytes.hidden = !hides;
+    byId("ladder").hidden = hides;
     this.ladder.show(svg);
     this.live();
   }

@@ -69,6 +69,8 @@ export const TABLE = {
   ladderOf: ["Ladder diagram", "Diagrama ladder"],
   noLadder: ["The ladder appears as soon as the program has no errors.", "O ladder aparece assim que o programa não tiver erros."],
   ladderOld: ["The program has errors: this is the last ladder without them.", "O programa tem erros: este é o último ladder sem eles."],
+  ladderBytes: ["This program does not fit a ladder: what it becomes are instructions for a stack.", "Este programa não cabe em um ladder: ele se torna instruções para uma pilha."],
+  ladderAnyway: ["Show them", "Mostrar"],
   zoomIn: ["Larger", "Maior"],
   zoomOut: ["Smaller", "Menor"],
   problemNone: ["No problems", "Nenhum problema"],

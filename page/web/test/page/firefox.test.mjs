@@ -36,16 +36,16 @@ test("a first visit by Firefox runs, is changed, drawn and kept", async () => {
   const errors = [];
   page.on("pageerror", (error) => errors.push(String(error)));
   await page.goto(server.url);
-  // It begins with a machine whose program runs on the simulated UNO.
+  // It begins with a program that runs on the simulated UNO, and something to press.
   await page.waitForSelector('#status[data-state="RUN"]');
-  await page.waitForSelector('[data-output="1"][data-on="true"]');
-  // The machine is put away, and a program of one's own takes the place of its program.
-  await page.click("#machine-close");
+  await page.waitForSelector('#sheet .ladder.live .element[data-point="Q1"]');
+  // A program of one's own takes its place.
+  await page.click("#view-both");
   await page.click(".cm-content");
   await page.keyboard.down("Control");
   await page.keyboard.press("KeyA");
   await page.keyboard.up("Control");
-  await page.keyboard.type("%QX0.1 := %IX0.0;");
+  await page.keyboard.type("LD I1\nST Q2");
   await page.waitForSelector("#problem-count.good");
   await page.click("#run");
   await page.waitForSelector('[data-output="1"][data-on="false"]');

@@ -108,7 +108,7 @@ test("what goes wrong on the way is told with what to do, and the next try works
       assert.match(await noted(page, "FW-"), words);
       if (!cable.isIn) await noted(page, closed);
       cable.plugIn();
-      if (!(await page.isVisible("#put-firmware"))) await pick(page, "#connect");
+      if ((await page.locator("#connect [data-say=disconnect]").count()) === 0) await pick(page, "#connect");
       await pick(page, "#put-firmware");
       await noted(page, done);
     }
@@ -120,7 +120,7 @@ test("a Nano of before 2018 is another choice, which the page names where the fi
   const { page, end } = await boxed("old", true);
   await pick(page, "#put-firmware");
   assert.match(await noted(page, "FW-2"), /FW-2[12]: .*nano-old/);
-  await page.locator("#put-firmware:enabled").waitFor();
+  await page.locator("#put-firmware:enabled").waitFor({ state: "attached" });
   await select(page, "#model", "nano-old");
   await pick(page, "#put-firmware");
   await noted(page, "written and verified");

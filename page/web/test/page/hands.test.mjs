@@ -69,9 +69,9 @@ const STEPS = [
     await hand.press(page, "#latch");
   }],
   ["all buttons are shown", async (page, hand) => {
-    await hand.press(page, named(page, "All buttons"));
+    await pick(page, "#all-buttons", hand);
     await page.locator('[data-input="8"]').waitFor();
-    await hand.press(page, named(page, "All buttons"));
+    await pick(page, "#all-buttons", hand);
     await page.locator('[data-input="8"]').waitFor({ state: "hidden" });
   }],
   ["a knob is turned", async (page, hand) => {
@@ -92,9 +92,9 @@ const STEPS = [
   ["single scans are made, one at a time", async (page, hand) => {
     await tab(page, "watch", hand);
     // In RUN there is none: it would begin the program again.
-    await page.locator("#scan:disabled").waitFor();
+    await page.locator("#scan:disabled").waitFor({ state: "attached" });
     await hand.press(page, "#command-stop");
-    await page.locator("#scan:enabled").waitFor();
+    await page.locator("#scan:enabled").waitFor({ state: "attached" });
     await pick(page, "#scan", hand);
     await page.waitForFunction(() => Number.parseInt(document.querySelector('tr[data-point="D1"] .value')?.textContent ?? "", 10) > 0);
     const before = await value(page, "D1");
@@ -138,7 +138,6 @@ const STEPS = [
     await page.locator('tr[data-point="D1"] .value', { hasText: /^1\d{6}/ }).waitFor();
   }],
   ["a contact bounces, and is counted more than once", async (page, hand) => {
-    await hand.press(page, `summary[data-say="faults"]`);
     await hand.press(page, "#bouncing");
     const before = await value(page, "C1");
     const presses = 3;
@@ -229,7 +228,7 @@ const STEPS = [
     await hand.press(page, named(page, "Text"));
     await hand.write(page, EDITOR, "LD I1\nSTT Q1\n");
     await page.locator("#problem-count.bad").waitFor();
-    await hand.press(page, "#problem-count");
+    await tab(page, "problems", hand);
     await hand.press(page, page.locator(".problems button"));
     await page.locator(".cm-content:focus").waitFor();
     await hand.press(page, named(page, "Both"));

@@ -92,6 +92,23 @@ test("the door Draw leads to an empty sheet with the palette, and is not there t
   await page.context().close();
 });
 
+test("who comes by a link sees that program, and is told nothing of one that never was", async () => {
+  const maker = await lab.still({ permissions: ["clipboard-read", "clipboard-write"] });
+  await type(maker, "LD I4\nST Q4\n", "link.il");
+  await pick(maker, "#share");
+  await maker.locator("#notes", { hasText: "clipboard" }).waitFor();
+  const link = await maker.evaluate(() => navigator.clipboard.readText());
+  await maker.context().close();
+  const context = await lab.browser.newContext({ serviceWorkers: "block" });
+  const page = await context.newPage();
+  await page.goto(link);
+  await page.locator('#sheet .element[data-point="Q4"]').waitFor();
+  assert.equal(await page.inputValue("#name"), "link.il");
+  assert.equal(await page.locator("#notes > div").count(), 0);
+  assert.ok(await page.locator("#welcome").isHidden());
+  await context.close();
+});
+
 test("the sheet keeps its height in every state at 1366 × 768", async () => {
   const page = await lab.other({ viewport: { width: 1366, height: 768 } }, { view: "draw", drawer: "" });
   const high = async (/** @type {string} */ where) => {
@@ -147,13 +164,14 @@ test("what is told lies over no control, and the status keeps its height", async
   const height = () => page.locator("#status").evaluate((status) => status.getBoundingClientRect().height);
   await page.locator("#run:enabled").waitFor();
   const first = await height();
+  await tab(page, "watch");
   await pick(page, "#new-file");
   await page.locator("#notes > div").first().waitFor();
   const under = await page.evaluate(() => {
     const notes = [...document.querySelectorAll("#notes > div")].map((note) => note.getBoundingClientRect());
     return [...document.querySelectorAll("button, select, input, [role=separator]")].filter((one) => {
       const box = one.getBoundingClientRect();
-      const isSeen = one.checkVisibility({ visibilityProperty: true }) && !one.closest("#notes, .tabpanel");
+      const isSeen = one.checkVisibility({ visibilityProperty: true }) && !one.closest("#notes");
       return isSeen && notes.some((note) => box.left < note.right && box.right > note.left && box.top < note.bottom && box.bottom > note.top);
     }).map((one) => one.id || one.outerHTML.slice(0, 80));
   });

@@ -46,7 +46,7 @@ test("a port that is busy is told, and opens once it is free", async () => {
     cable.isBusy = false;
     await pick(page, "#connect");
     await unfold(page, "#put-firmware");
-  await page.locator("#put-firmware").waitFor();
+    await page.locator("#put-firmware").waitFor();
     await page.locator("#status", { hasText: connected }).waitFor();
     await page.context().close();
   }
@@ -69,7 +69,7 @@ for (const [what, answer, english, portuguese] of /** @type {const} */ ([
     await offer.getByRole("button", { name: "Install the firmware" }).click();
     // No boot loader is there; that is told too, and the line is spoken to again.
     await page.locator("#notes", { hasText: /FW-2[12]/ }).waitFor();
-    await page.locator("#put-firmware:enabled").waitFor();
+    await page.locator("#put-firmware:enabled").waitFor({ state: "attached" });
     await pick(page, "#connect");
     await page.locator("#hardware").waitFor();
     await page.context().close();
