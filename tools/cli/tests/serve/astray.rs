@@ -49,8 +49,10 @@ fn a_board_that_is_unplugged_has_a_gap_in_its_history_and_goes_on_after_it() {
     let is_unplugged = Arc::new(AtomicBool::new(false));
     let unplugged = is_unplugged.clone();
     let plugged = |outputs: u16, unplugged: Arc<AtomicBool>| {
-        let mut board = Board::default();
-        board.outputs = outputs;
+        let board = Board {
+            outputs,
+            ..Board::default()
+        };
         Fake::with(board, move |_, _| match unplugged.load(Ordering::Relaxed) {
             true => Fate::Unplugged,
             false => Fate::Answered,
