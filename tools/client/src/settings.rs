@@ -100,3 +100,30 @@ pub async fn read_lock(client: &mut Client) -> Result<u8, Failure> {
     let word = if_there(word)?.and_then(|words| words.first().copied());
     u8::try_from(word.unwrap_or(0)).map_err(|_| Failure::Garbled)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lock_is_asked_bit_by_bit_and_can_be_left_out() {
+        let of = |lock| Settings {
+            address: 1,
+            rate: 9600,
+            parity: Parity::None,
+            direction: false,
+            lock,
+        };
+        for lock in [None, Some(0), Some(0b01), Some(0b10), Some(0b11)] {
+            let settings = of(lock);
+            for bit in [0b01, 0b10] {
+                assert_eq!(
+                    settings.locks(bit),
+                    lock.unwrap_or(0) & bit == bit,
+                    "{lock:?}"
+                );
+            }
+            assert_eq!(settings.without_lock(), of(None));
+        }
+    }
+}

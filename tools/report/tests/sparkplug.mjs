@@ -21,7 +21,7 @@ for await (const line of createInterface({ input: process.stdin })) {
       continue;
     }
     told.metrics ??= {};
-    told.metrics[metric.name] = [metric.type.toUpperCase(), plain(metric.value), metric.isHistorical ?? false, metric.isNull ?? false];
+    told.metrics[metric.name] = [metric.type.toUpperCase(), plain(metric.value), metric.isHistorical ?? false, metric.isNull ?? (metric.value ?? null) === null];
   }
   console.log(JSON.stringify(told));
 }
