@@ -38,8 +38,9 @@ fn board() {
     println!("cargo::rerun-if-env-changed={BOARD}");
     match env::var(BOARD).as_deref() {
         Ok("nano") => println!("cargo::rustc-cfg=nano"),
-        Ok("uno") | Err(_) => {}
-        Ok(other) => panic!("{BOARD} is uno or nano, not {other}"),
+        // `cfg(mega)` comes from whoever names it: the crates below the firmware are compiled for the board too.
+        Ok("uno" | "mega") | Err(_) => {}
+        Ok(other) => panic!("{BOARD} is uno, nano or mega, not {other}"),
     }
 }
 

@@ -8,7 +8,7 @@ use core::mem;
 use unoclp_core::{Cause, Crc16};
 
 /// So many bytes of the program are gone through in a step: the largest in a quarter of a second.
-const BYTES: u8 = 4;
+const BYTES: u8 = if cfg!(mega) { 16 } else { 4 };
 
 /// What the diagnosis keeps from step to step.
 pub struct Diagnosis {

@@ -1,4 +1,4 @@
-//! The unoclp firmware for the Arduino UNO.
+//! The unoclp firmware for the Arduino UNO, and for the Arduino Mega 2560.
 //!
 //! Start-up: outputs off, the clock, the card; `PROGRAM.TXT` goes byte by byte through the loader,
 //! is kept in the EEPROM, and taken from there into run memory; the card is released. Then scans
@@ -16,6 +16,7 @@
     reason = "avr_device::entry lends main's statics once, to main"
 )]
 
+#[cfg_attr(mega, path = "mega/mod.rs")]
 mod board;
 mod card;
 mod decimal;
@@ -35,6 +36,8 @@ mod server;
 mod settings;
 mod state;
 mod store;
+#[cfg(mega)]
+mod wide;
 
 // What the compiler calls: products, and blocks of memory.
 core::arch::global_asm!(include_str!("runtime.s"));

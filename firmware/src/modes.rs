@@ -52,12 +52,18 @@ pub fn serve(
     file: StateFile,
     mut program: Result<Kept, Fault>,
 ) -> ! {
+    #[cfg(not(mega))]
     let Running {
         frame,
         data,
         settings,
         ..
     } = page;
+    #[cfg(mega)]
+    let Running { data, settings, .. } = page;
+    // SAFETY: once.
+    #[cfg(mega)]
+    let frame = unsafe { crate::page::frame() };
     settings.load(&board.eeprom, defaults);
     if program.is_ok() {
         report::state_file(&board.serial, &file);
@@ -209,7 +215,7 @@ fn scan(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
     board.pins.pull_up(needs.inputs);
     board
         .analogue
-        .measure(needs.analogue, &mut plc.data().analogue);
+        .measure(needs.analogue as u8, &mut plc.data().analogue);
     let mut diagnosis = Diagnosis::new(plc.code());
     board.watchdog.start();
     work.scans.begin();
@@ -247,7 +253,17 @@ fn scan(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
 
 /// The next scan takes the coils that were written.
 #[inline(never)]
+#[cfg(not(mega))]
 fn take_coils(work: &mut Work<'_>, plc: &Linked<'_>) {
+    let images = &mut work.scans.operation.images;
+    let outputs = images.outputs();
+    plc.take_outputs(images, outputs);
+}
+
+/// The next scan takes the coils that were written.
+#[cfg(mega)]
+#[inline(never)]
+fn take_coils(work: &mut Work<'_>, plc: &mut Linked<'_>) {
     let images = &mut work.scans.operation.images;
     let outputs = images.outputs();
     plc.take_outputs(images, outputs);

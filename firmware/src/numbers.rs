@@ -12,6 +12,9 @@ use unoclp_core::Crc16;
 use unoclp_modbus::eeprom::numbers;
 use unoclp_modbus::eeprom::program::END;
 
+/// More records are not told apart by their sequence numbers.
+const MOST_PLACES: u8 = 127;
+
 /// The ring of the program that runs, and what is being written to it.
 pub struct Numbers {
     /// Bytes of a record, and how many there are; none where nothing is kept.
@@ -58,7 +61,7 @@ impl Numbers {
         }
         let size = u16::from(ring.size);
         let mut address = first;
-        while address + size <= END {
+        while address + size <= END && (!cfg!(mega) || ring.places < MOST_PLACES) {
             let mut sum = seed;
             for at in address..address + size {
                 sum = sum.then(eeprom.read(at));
@@ -78,6 +81,16 @@ impl Numbers {
         }
         plc.keep(!found);
         ring
+    }
+
+    /// Where the last record may end.
+    #[inline(always)]
+    fn end(&self) -> u16 {
+        if cfg!(mega) {
+            self.first + u16::from(self.size) * u16::from(self.places)
+        } else {
+            END
+        }
     }
 
     /// How many records there are: as many more may be written in [`COST`] minutes.
@@ -106,7 +119,7 @@ impl Numbers {
             self.changed = false;
             let size = u16::from(self.size);
             self.address += size;
-            if self.address + size > END {
+            if self.address + size > self.end() {
                 self.address = self.first;
             }
             self.sequence = self.sequence.wrapping_add(1);
@@ -140,4 +153,5 @@ impl Numbers {
 }
 
 // Sequence numbers of as many differ by 127 at most.
+#[cfg(not(mega))]
 const _: () = assert!((END - numbers::first(2)) / (numbers::record(1) as u16) <= 128);

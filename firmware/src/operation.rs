@@ -2,9 +2,12 @@
 //!
 //! Owns what these mean together; must not know who scans, who shows them, or who commands.
 
+#[cfg(not(mega))]
 use core::mem;
 use unoclp_core::{Fault, Image};
 
+#[cfg(mega)]
+pub use crate::wide::{Forces, Images};
 pub use unoclp_modbus::map::{Command, State};
 
 /// Operation from one start of the board to the next.
@@ -55,12 +58,22 @@ impl Operation {
     }
 
     /// No request has come for so many seconds: forcing may end. A forced output is 0 then until a rung writes it.
+    #[cfg(not(mega))]
     pub fn silence(&mut self, seconds: u8) {
         let [points @ .., most] = &mut self.forces.0;
         if *most != 0 && seconds > *most {
             let [_, _, forced, _] = mem::take(points);
             let Image(outputs) = self.images.outputs();
             self.images.set_outputs(Image(outputs & !u16::from(forced)));
+        }
+    }
+
+    /// The same of a board with more points.
+    #[cfg(mega)]
+    pub fn silence(&mut self, seconds: u8) {
+        if let Some(forced) = self.forces.end(seconds) {
+            let Image(outputs) = self.images.outputs();
+            self.images.set_outputs(Image(outputs & !forced));
         }
     }
 
@@ -83,9 +96,11 @@ impl Operation {
 
 /// Points that are forced, and to what: inputs, values of inputs, outputs, values of outputs, as the Modbus
 /// map has them; bit 0 is point 01. Then how many seconds without a request end all forcing, 0 for none.
+#[cfg(not(mega))]
 #[derive(Clone, Copy, Default)]
 pub struct Forces(pub [u8; 5]);
 
+#[cfg(not(mega))]
 impl Forces {
     /// Whether there are any.
     #[inline(always)]
@@ -116,6 +131,7 @@ impl Forces {
 }
 
 /// Inputs and outputs as a scan left them.
+#[cfg(not(mega))]
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub struct Images {
     /// Inputs 01 to 04 as bits 0 to 3, and outputs 01 to 04 as bits 4 to 7: a scan has them in one register.
@@ -124,6 +140,7 @@ pub struct Images {
     more: u8,
 }
 
+#[cfg(not(mega))]
 impl Images {
     /// Inputs 01 to 04 among the points.
     pub const INPUTS: u8 = 0x0F;

@@ -40,6 +40,7 @@ pub unsafe fn take() -> (&'static mut Block, &'static mut RunMemory) {
 }
 
 /// The second life.
+#[cfg(not(mega))]
 #[repr(C)]
 pub struct Running {
     /// The frame of the server.
@@ -51,6 +52,33 @@ pub struct Running {
         [u8; size_of::<Block>() - size_of::<Frame>() - size_of::<Settings>() - size_of::<Data>()],
     /// The data of the program; the engine's assembly knows it as `ENGINE`.
     pub data: Data,
+}
+
+/// The second life where there is room for the frame elsewhere.
+#[cfg(mega)]
+#[repr(C)]
+pub struct Running {
+    /// What is set.
+    pub settings: Settings,
+    /// So that the data ends where the page does.
+    unused: [u8; size_of::<Block>() - size_of::<Settings>() - size_of::<Data>()],
+    /// The data of the program; the engine's assembly knows it as `ENGINE`.
+    pub data: Data,
+}
+
+#[cfg(mega)]
+static mut FRAME: Frame = [0; size_of::<Frame>()];
+
+/// The frame of the server.
+///
+/// # Safety
+///
+/// To be called once.
+#[cfg(mega)]
+pub unsafe fn frame() -> &'static mut Frame {
+    let frame = &raw mut FRAME;
+    // SAFETY: there is no other way to it, and this one is taken once.
+    unsafe { &mut *frame }
 }
 
 const _: () = {

@@ -11,6 +11,19 @@ use core::arch::asm;
 use core::mem::{self, offset_of};
 use unoclp_core::Millis;
 
+#[cfg(not(mega))]
+macro_rules! usual_scan {
+    () => {
+        include_str!("scan.s")
+    };
+}
+#[cfg(mega)]
+macro_rules! usual_scan {
+    () => {
+        include_str!("mega/scan.s")
+    };
+}
+
 /// How far a scan is: it is to begin; what comes before the program is done, or to be done; the same of what comes
 /// after it.
 const BEGINS: u8 = 0;
@@ -100,7 +113,7 @@ impl Scans {
             // the points and the times of scans; any bits are values of these.
             unsafe {
                 asm!(
-                    include_str!("scan.s"),
+                    usual_scan!(),
                     inout("r24") stage,
                     in("r7r6") &raw mut *self,
                     inout("r17r16") self.begun.count,
@@ -127,6 +140,10 @@ impl Scans {
                     FINISHES = const FINISHES,
                     INPUTS = const Images::INPUTS,
                     OUTPUTS = const !Images::INPUTS,
+                    #[cfg(mega)]
+                    PORTS = const offset_of!(Scans, operation.images.ports),
+                    #[cfg(mega)]
+                    REST = const offset_of!(Scans, operation.images.rest),
                 );
             }
             match stage {
@@ -179,6 +196,8 @@ impl Scans {
             state,
             ..
         } = &mut self.operation;
+        #[cfg(mega)]
+        plc.gather_outputs(images);
         let outputs = forces.outputs(images.outputs());
         plc.take_outputs(images, outputs);
         if *state == State::Run {
@@ -186,6 +205,9 @@ impl Scans {
             let pwm = plc.needs().pwm;
             let forced = forces.forced_outputs();
             board.write_pwm(pwm & !forced, &plc.data().pwm);
+            #[cfg(mega)]
+            board.end_pwm(pwm & forced);
+            #[cfg(not(mega))]
             board.write_pwm(pwm & forced, &[0; 4]);
         } else {
             // A single scan.

@@ -21,12 +21,19 @@ pub const fn budgets(board: Model) -> [Budget; 3] {
         },
         Budget {
             name: "static RAM",
-            limit: 2_048,
+            limit: match board {
+                Model::Mega => 8_192,
+                _ => 2_048,
+            },
             used: |size| size.data + size.bss,
         },
         Budget {
             name: ".data",
-            limit: 32,
+            // On a Mega the page has to begin where RAM does: it has no such data at all.
+            limit: match board {
+                Model::Mega => 0,
+                _ => 32,
+            },
             used: |size| size.data,
         },
     ]
@@ -100,7 +107,7 @@ impl Size {
                 budget.name,
                 thousands(used),
                 thousands(budget.limit),
-                100 * used / budget.limit,
+                100 * used / budget.limit.max(1),
             )
         };
         budgets(board).each_ref().map(line).join("\n")

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use unoclp_boot::Model;
 use unoclp_core::Board;
 use unoclp_core::isa::Opcode;
@@ -15,7 +16,7 @@ use crate::link::{self, Link};
 use crate::shell::{self, say};
 use crate::tested;
 use crate::toolchain::Toolchain;
-use crate::{mulcheck, parts, setup};
+use crate::{arguments, mulcheck, parts, setup};
 
 /// `cargo xtask firmware`
 #[derive(clap::Args)]
@@ -23,10 +24,20 @@ pub struct Args {
     /// Keep what is built as the tested firmware, in firmware/: the hex files, their symbols and sums, and tools.toml
     #[arg(long)]
     keep: bool,
+    /// Build that of one board alone: uno, nano or mega
+    #[arg(long, value_parser = only())]
+    board: Option<Model>,
+}
+
+fn only() -> impl TypedValueParser<Value = Model> {
+    PossibleValuesParser::new(BOARDS.map(Model::name)).map(|name| {
+        let named = BOARDS.into_iter().find(|board| board.name() == name);
+        named.unwrap_or_default()
+    })
 }
 
 /// The boards that have a firmware of their own.
-pub const BOARDS: [Model; 2] = [Model::Uno, Model::Nano];
+pub const BOARDS: [Model; 3] = [Model::Uno, Model::Nano, Model::Mega];
 
 /// A build that is within its limits and has no product of the compiler's.
 pub struct Firmware {
@@ -54,6 +65,12 @@ impl Firmware {
 /// As [`build`], and if a tool is missing.
 pub fn run(args: &Args) -> Result<()> {
     let toolchain = setup::for_firmware()?;
+    if let Some(board) = args.board {
+        let Firmware { elf, hex } = build(&toolchain, board)?;
+        say(&format!("firmware: {}", elf.display()));
+        say(&format!("firmware: {}", hex.display()));
+        return Ok(());
+    }
     let firmwares = build_all(&toolchain)?;
     for Firmware { elf, hex } in &firmwares {
         say(&format!("firmware: {}", elf.display()));
@@ -95,17 +112,27 @@ pub fn build(toolchain: &Toolchain, board: Model) -> Result<Firmware> {
     say(&format!("firmware: compiling {}", product(board)));
     let link = compile(toolchain, board)?;
 
-    say("firmware: shortening what the compiler has made");
-    let shortened = shortened(board);
-    let rules = link::link(&link, &shortened)?;
-    println!("{}", link::savings(&rules));
-    let elf =
-        fs::read(&shortened).with_context(|| format!("cannot read {}", shortened.display()))?;
+    // A Mega has room for it as it is.
+    let built = if board == Model::Mega {
+        arguments::accept(&link.assembly()?)?;
+        link.result()?
+    } else {
+        say("firmware: shortening what the compiler has made");
+        let shortened = shortened(board);
+        let rules = link::link(&link, &shortened)?;
+        println!("{}", link::savings(&rules));
+        shortened
+    };
+    let elf = fs::read(&built).with_context(|| format!("cannot read {}", built.display()))?;
 
     say("firmware: measuring and checking it");
     let size = Size::of(&elf)?;
     let table = size.table(board);
-    println!("{table}\n{}\n{}", parts::table(&elf)?, program_room());
+    println!(
+        "{table}\n{}\n{}",
+        parts::table(&elf)?,
+        program_room(&core(board))
+    );
     let exceeded = size.exceeded(board);
     ensure!(
         exceeded.is_empty(),
@@ -114,9 +141,11 @@ pub fn build(toolchain: &Toolchain, board: Model) -> Result<Firmware> {
     );
     mulcheck::accept(&elf)?;
 
-    // It does not fit the chip; the simulated one is made larger for it.
-    fs::copy(link.result()?, &unshortened)
-        .with_context(|| format!("cannot write {}", unshortened.display()))?;
+    if board != Model::Mega {
+        // It does not fit the chip; the simulated one is made larger for it.
+        fs::copy(link.result()?, &unshortened)
+            .with_context(|| format!("cannot write {}", unshortened.display()))?;
+    }
     fs::write(&firmware.elf, elf)
         .with_context(|| format!("cannot write {}", firmware.elf.display()))?;
     let mut objcopy = Command::new("avr-objcopy");
@@ -129,14 +158,14 @@ pub fn build(toolchain: &Toolchain, board: Model) -> Result<Firmware> {
 fn compile(toolchain: &Toolchain, board: Model) -> Result<Link> {
     // Where cargo finds an ELF that was made with the same flags, rustc does not run, and what is printed
     // may be of a build with others.
-    let results = target_folder().join("avr-none/firmware/deps");
+    let results = target_folder(board).join("avr-none/firmware/deps");
     for file in fs::read_dir(&results).into_iter().flatten() {
         let path = file?.path();
         if path.extension().is_some_and(|extension| extension == "elf") {
             fs::remove_file(&path).with_context(|| format!("cannot remove {}", path.display()))?;
         }
     }
-    let printed = target_folder().join("link-args");
+    let printed = target_folder(board).join("link-args");
     let mut rustc = cargo(toolchain, "rustc", board);
     rustc.args(["--", "--emit=asm,link"]);
     shell::run(rustc.arg(format!("--print=link-args={}", printed.display())))?;
@@ -144,6 +173,9 @@ fn compile(toolchain: &Toolchain, board: Model) -> Result<Link> {
         .with_context(|| format!("cannot read {}", printed.display()))?;
     Link::parse(&text)
 }
+
+/// What the compiler is told of the Mega beside what `.cargo/config.toml` tells: the last chip counts.
+const MEGA: &str = "target.avr-none.rustflags = ['-Ctarget-cpu=atmega2560', '--cfg=mega']";
 
 /// A cargo command on the firmware of a board.
 pub fn cargo(toolchain: &Toolchain, subcommand: &str, board: Model) -> Command {
@@ -153,13 +185,16 @@ pub fn cargo(toolchain: &Toolchain, subcommand: &str, board: Model) -> Command {
         .env("UNOCLP_BOARD", board.name())
         .args(["--package=unoclp-firmware", "--profile=firmware"])
         .arg("--target-dir")
-        .arg(target_folder());
+        .arg(target_folder(board));
+    if board == Model::Mega {
+        cargo.args(["--config", MEGA]);
+    }
     cargo
 }
 
 /// The shortened firmware of a board before it is checked, with its assembly beside it.
 pub fn shortened(board: Model) -> PathBuf {
-    let folder = target_folder().join("shortened").join(board.name());
+    let folder = target_folder(board).join("shortened").join(board.name());
     folder.join("unoclp.elf")
 }
 
@@ -172,6 +207,7 @@ pub fn folder() -> PathBuf {
 fn name(board: Model) -> &'static str {
     match board.firmware() {
         Model::Uno => "unoclp",
+        Model::Mega => "unoclp-mega",
         _ => "unoclp-nano",
     }
 }
@@ -180,27 +216,37 @@ fn name(board: Model) -> &'static str {
 fn product(board: Model) -> &'static str {
     match board.firmware() {
         Model::Uno => map::PRODUCT,
+        Model::Mega => map::MEGA,
         _ => map::NANO,
     }
 }
 
 /// The AVR build has a folder of its own: the simulator's tests may run cargo meanwhile.
-fn target_folder() -> PathBuf {
-    shell::root().join("target/avr")
+fn target_folder(board: Model) -> PathBuf {
+    let folder = match board {
+        Model::Mega => "target/avr-mega",
+        _ => "target/avr",
+    };
+    shell::root().join(folder)
+}
+
+/// What the core knows of a board.
+fn core(board: Model) -> Board {
+    Board::named(board.firmware().name()).unwrap_or(Board::UNO)
 }
 
 /// What room a program has on the board.
-fn program_room() -> String {
+fn program_room(board: &Board) -> String {
     const TIMERS: usize = 16;
     let Board {
         stored_bytes,
         linked_bytes,
         ..
-    } = Board::UNO;
+    } = *board;
     format!(
         "programs of up to {} codes, or {} codes and {TIMERS} timers: {} B stored, {} B in run memory",
-        codes_beside(0, &Board::UNO),
-        codes_beside(TIMERS, &Board::UNO),
+        codes_beside(0, board),
+        codes_beside(TIMERS, board),
         thousands(stored_bytes.into()),
         thousands(linked_bytes.into())
     )

@@ -4,6 +4,7 @@
 //!
 //! Owns how everything is built, tested, measured and handed out. Must not know the language.
 
+pub mod arguments;
 pub mod bench;
 pub mod budget;
 pub mod card;

@@ -25,6 +25,13 @@ impl Held {
     }
 }
 
+/// The UNO; a Nano has the same, but for what the loader asks of it itself.
+#[cfg(all(target_arch = "avr", not(mega)))]
+const COMPILED_FOR: Board = Board::UNO;
+
+#[cfg(all(target_arch = "avr", mega))]
+const COMPILED_FOR: Board = Board::MEGA;
+
 #[cfg(target_arch = "avr")]
 impl Held {
     #[inline(always)]
@@ -32,14 +39,13 @@ impl Held {
         Held {}
     }
 
-    /// The UNO; a Nano has the same, but for what the loader asks of it itself.
     #[inline(always)]
     pub(crate) const fn board(self) -> Board {
-        Board::UNO
+        COMPILED_FOR
     }
 
     #[inline(always)]
     pub(crate) const fn near_registers(self) -> u8 {
-        const { Board::UNO.engine.near_registers }
+        const { COMPILED_FOR.engine.near_registers }
     }
 }

@@ -1,5 +1,5 @@
 //! How many points a board has at most, and integers with a bit for each: on a PC as many as codes of two digits name; in
-//! the firmware of the ATmega328P as many as its boards have, since each takes flash and RAM there.
+//! a firmware as many as its boards have, since each takes flash and RAM there.
 
 pub use most::{ANALOGUE, Bits, INPUTS, ImageBits, LABELS};
 
@@ -17,7 +17,18 @@ mod most {
     pub const ANALOGUE: u8 = 99;
 }
 
-#[cfg(target_arch = "avr")]
+#[cfg(all(target_arch = "avr", mega))]
+mod most {
+    /// A bit for each point of a kind, in what a program [needs](crate::Needs).
+    pub type Bits = u32;
+    /// The bits of an [`Image`](crate::Image).
+    pub type ImageBits = u32;
+    pub const INPUTS: u8 = 24;
+    pub const LABELS: u8 = 32;
+    pub const ANALOGUE: u8 = 8;
+}
+
+#[cfg(all(target_arch = "avr", not(mega)))]
 mod most {
     /// A bit for each point of a kind, in what a program [needs](crate::Needs).
     pub type Bits = u8;

@@ -1,5 +1,5 @@
-//! What a board keeps in its EEPROM of 1,024 bytes, where, and in what form. The forms do not depend on the build,
-//! so a new firmware finds what the old one kept.
+//! What a board keeps in its EEPROM, where, and in what form. The forms do not depend on the build,
+//! so a new firmware finds what the old one kept. Of the 1,024 bytes of an UNO:
 //!
 //! | bytes | |
 //! | --- | --- |
@@ -7,9 +7,15 @@
 //! | 908 … 917 | [`settings`] of 0.1.0 |
 //! | 918 … | [`settings`] |
 //! | 960 … 1023 | [`markers`] |
+//!
+//! A Mega has 4,096 bytes: the program and what follows it reach as far as its longest program does, and the markers stand
+//! at the end.
 
-use crate::map::setting;
+use crate::map::{self, setting};
 use unoclp_core::{Board, Crc16};
+
+/// The board whose EEPROM it is.
+const BOARD: Board = map::BOARD;
 
 /// The program that was last accepted.
 ///
@@ -48,7 +54,7 @@ pub mod program {
     /// Where the stored form begins.
     pub const STORED: u16 = SUM + 2;
     /// The first byte after the longest program.
-    pub const END: u16 = STORED + Board::UNO.stored_bytes;
+    pub const END: u16 = STORED + BOARD.stored_bytes;
 
     /// The head of a program of this length.
     #[inline(always)]
@@ -136,7 +142,7 @@ pub mod settings {
 /// by one higher than that of the place before.
 pub mod markers {
     /// Where the ring begins.
-    pub const FIRST: u16 = 960;
+    pub const FIRST: u16 = super::BYTES - PLACE_BYTES * PLACES as u16;
     /// How many places it has.
     pub const PLACES: u8 = 32;
     /// Bytes of a place.
@@ -146,6 +152,6 @@ pub mod markers {
 }
 
 /// Bytes of the EEPROM.
-pub const BYTES: u16 = 1024;
+pub const BYTES: u16 = if cfg!(mega) { 4096 } else { 1024 };
 
 const _: () = assert!(settings::END <= markers::FIRST && markers::END <= BYTES);

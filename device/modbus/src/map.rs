@@ -106,15 +106,18 @@ macro_rules! spans {
             };)*
         })*
 
-        /// Every address that a board has, table by table and in order.
-        pub const ALL: &[Span] = &[$($($module::$span),*),*];
+        /// Every span of any board, table by table and in order; of those that [`BOARD`] has not, there are no values.
+        const EVERY: &[Span] = &[$($($module::$span),*),*];
 
         /// The bit of [`locks`] that refuses to write at an address of a table: that of the last span that begins
         /// there or before. As code and not as a table, which would stand in the RAM of a board.
         #[inline(always)]
         pub(crate) fn lock(table: Table, address: u16) -> u8 {
             let mut lock = 0;
-            $($(if $module::$span.table as u8 == table as u8 && address >= $module::$span.first {
+            $($(if const { $module::$span.values > 0 }
+                && $module::$span.table as u8 == table as u8
+                && address >= $module::$span.first
+            {
                 lock = const { $module::$span.rights.lock() };
             })*)*
             lock
@@ -194,6 +197,10 @@ spans! {
         OUTPUTS_TO = 405, 1, Word, Rights::Write(locks::WRITING), "to what";
         /// So many seconds without a request end all forcing; 0: none do.
         FORCING_ENDS = 406, 1, Word, Rights::Write(locks::WRITING), "end of forcing";
+        /// Which inputs above 16 are forced, bit 0 input 17; no board without them has it.
+        FORCED_MORE = 407, BOARD.inputs > WORD_POINTS, Word, Rights::Write(locks::WRITING), "inputs 17–32 forced";
+        /// To what those are forced.
+        MORE_TO = 408, BOARD.inputs > WORD_POINTS, Word, Rights::Write(locks::WRITING), "to what";
         /// The settings: see [`setting`].
         SETTINGS = 410, setting::ALL.len(), Word, Rights::Write(locks::SETTINGS), "[settings](#settings)";
         /// Blocks of an upload: a word with the block's number and size, then its text.
@@ -203,14 +210,65 @@ spans! {
     }
 }
 
-/// The board that has these addresses.
-const BOARD: Board = Board::UNO;
+/// The board that has these addresses: in a firmware its own, on a PC the UNO. [`of`] tells those of any.
+pub(crate) const BOARD: Board = {
+    #[cfg(all(target_arch = "avr", mega))]
+    const BOARD: Board = Board::MEGA;
+    #[cfg(not(all(target_arch = "avr", mega)))]
+    const BOARD: Board = Board::UNO;
+    BOARD
+};
+
+/// Inputs that a word holds.
+const WORD_POINTS: u8 = 16;
 
 /// Registers that a board has whatever its program names.
 pub const NEAR_REGISTERS: u8 = BOARD.engine.near_registers;
 
-/// As many timers as fit run memory: the linked form of a timer takes two bytes beside its data.
-const TIMERS: u16 = BOARD.linked_bytes / (2 + TIMER_DATA as u16);
+const SPANS: usize = {
+    let (mut spans, mut index) = (0, 0);
+    while index < EVERY.len() {
+        spans += (EVERY[index].values > 0) as usize;
+        index += 1;
+    }
+    spans
+};
+
+/// Every address that a board has, table by table and in order.
+pub const ALL: &[Span] = &{
+    let mut all = [EVERY[0]; SPANS];
+    let (mut at, mut index) = (0, 0);
+    while index < EVERY.len() {
+        if EVERY[index].values > 0 {
+            all[at] = EVERY[index];
+            at += 1;
+        }
+        index += 1;
+    }
+    all
+};
+
+/// As many timers as fit an UNO's run memory: the linked form of a timer takes two bytes beside its data.
+const TIMERS: u16 = Board::UNO.linked_bytes / (2 + TIMER_DATA as u16);
+
+/// Every address that this board has, table by table and in order: those of [`ALL`] with as many points as it has.
+pub fn of(board: &Board) -> impl Iterator<Item = Span> {
+    let board = *board;
+    let has = move |span: Span| Span {
+        values: match span {
+            coil::OUTPUTS => board.outputs.min(WORD_POINTS).into(),
+            discrete::INPUTS => board.inputs.into(),
+            input::ANALOGUE => board.analogue.min(WORD_POINTS).into(),
+            holding::FORCED_MORE | holding::MORE_TO => (board.inputs > WORD_POINTS).into(),
+            span => span.values,
+        },
+        ..span
+    };
+    EVERY
+        .iter()
+        .map(move |&span| has(span))
+        .filter(|span| span.values > 0)
+}
 
 /// The most text that a block of an upload holds, bytes.
 pub const BLOCK_BYTES: u8 = (2 * (holding::UPLOAD.values - 1)) as u8;
@@ -491,6 +549,8 @@ pub const VENDOR: &str = "unoclp";
 pub const PRODUCT: &str = "unoclp UNO";
 /// The same of the firmware for Nanos, which has no REAL numbers.
 pub const NANO: &str = "unoclp Nano";
+/// The same of the firmware for the Mega 2560.
+pub const MEGA: &str = "unoclp Mega";
 
 /// The number that two words hold, the high one first.
 pub const fn long(high: u16, low: u16) -> u32 {

@@ -4,9 +4,9 @@
 //! first reading dropped, because the sample capacitor still holds something of the channel before, and
 //! the reference takes 70 µs to appear.
 
+use super::chip::ADC;
 use super::shared::Shared;
 use crate::instructions::BOARD;
-use avr_device::atmega328p::ADC;
 
 /// The readings of A 00 … A 04, 0 to 1023.
 pub type Readings = [u16; BOARD.analogue as usize];
@@ -18,7 +18,7 @@ const LOW: u16 = (1100 * 1024 / 4300) as u16;
 const CENTIVOLTS: u32 = 110 * 1024;
 /// The channel that is the chip's own reference of 1.1 V, in `ADMUX`, with the supply as what is compared
 /// with.
-const REFERENCE: u8 = 0b1110;
+const REFERENCE: u8 = if cfg!(mega) { 0b1_1110 } else { 0b1110 };
 const SUPPLY: u8 = 1 << 6;
 /// After the last analogue input comes the reference.
 const LAST: u8 = BOARD.analogue;

@@ -1,7 +1,7 @@
 //! The millisecond clock, from timer 1 (ATmega328P datasheet, section 16).
 
+use super::chip::TC1;
 use super::shared::Shared;
-use avr_device::atmega328p::TC1;
 use avr_device::interrupt;
 use core::arch::global_asm;
 use unoclp_core::Millis;
@@ -14,7 +14,7 @@ const PRESCALER: u32 = 8;
 /// The last count of a millisecond.
 const TOP: u16 = (CLOCK_HZ / PRESCALER / 1000 - 1) as u16;
 
-global_asm!(include_str!("tick.s"), options(raw));
+global_asm!(tick_interrupt!(), include_str!("tick.s"), options(raw));
 
 /// Milliseconds since start, wrapping: the interrupt in `tick.s` counts them, and nothing else writes
 /// here. The symbol is for it, and lets a simulator set the clock.

@@ -1,6 +1,6 @@
 //! The EEPROM: 1,024 bytes that outlast power (ATmega328P datasheet, section 8.4).
 
-use avr_device::atmega328p::EEPROM;
+use super::chip::EEPROM;
 use avr_device::interrupt;
 
 /// The EEPROM.

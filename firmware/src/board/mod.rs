@@ -12,6 +12,45 @@
 //! | direction of RS-485, where it is set | A4 | PC4 |
 //! | STOP | A5 | PC5 |
 
+/// The head of the clock's interrupt, by the number that the chip gives it.
+macro_rules! tick_interrupt {
+    () => {
+        "
+.macro  interrupt_tick
+        .global __vector_13
+        .type   __vector_13, @function
+__vector_13:
+.endm
+"
+    };
+}
+
+/// The same of the serial port's, and its direction of RS-485.
+macro_rules! interrupts {
+    () => {
+        "
+.macro  interrupt_received
+        .global __vector_18
+        .type   __vector_18, @function
+__vector_18:
+.endm
+.macro  interrupt_may_send
+        .global __vector_19
+        .type   __vector_19, @function
+__vector_19:
+.endm
+.macro  interrupt_sent
+        .global __vector_20
+        .type   __vector_20, @function
+__vector_20:
+.endm
+.macro  direction_low
+        cbi     0x08, 4         ; PORTC: the direction pin
+.endm
+"
+    };
+}
+
 pub mod allowance;
 pub mod analogue;
 pub mod clock;
@@ -25,7 +64,8 @@ pub mod spi;
 pub mod stack;
 pub mod watchdog;
 
-use avr_device::atmega328p::{PORTC, Peripherals, SPI, TC0, TC1};
+pub use avr_device::atmega328p as chip;
+use chip::{PORTC, Peripherals, SPI, TC0, TC1};
 use unoclp_core::{Image, Millis};
 
 /// The parts of the board, ready to use.

@@ -1,6 +1,6 @@
 //! Inputs, outputs, STOP, LED L and the card's select line (ATmega328P datasheet, section 14).
 
-use avr_device::atmega328p::{PORTB, PORTC, PORTD};
+use super::chip::{PORTB, PORTC, PORTD};
 use avr_device::interrupt;
 use unoclp_core::Image;
 

@@ -10,9 +10,7 @@
         .text
 
 ; A byte has come.
-        .global __vector_18
-        .type   __vector_18, @function
-__vector_18:
+        interrupt_received
         push    r24
         in      r24, 0x3f       ; SREG
         push    r24
@@ -62,9 +60,7 @@ port_broken:
         rjmp    port_done
 
 ; The next byte may go.
-        .global __vector_19
-        .type   __vector_19, @function
-__vector_19:
+        interrupt_may_send
         push    r24
         in      r24, 0x3f       ; SREG
         push    r24
@@ -107,11 +103,9 @@ port_last:
         rjmp    port_done
 
 ; The last byte has gone: the bus is free, and the port listens.
-        .global __vector_20
-        .type   __vector_20, @function
-__vector_20:
+        interrupt_sent
         push    r24
-        cbi     0x08, 4         ; PORTC: the direction pin
+        direction_low
         ldi     r24, 0
         sts     PORT_AT, r24
         ldi     r24, 0x98       ; RXCIE0, RXEN0, TXEN0

@@ -1,7 +1,7 @@
 //! PWM on D6 from timer 0 and on D9 from timer 1, beside the clock (ATmega328P datasheet, sections 15
 //! and 16): about 1 kHz both.
 
-use avr_device::atmega328p::{TC0, TC1};
+use super::chip::{TC0, TC1};
 
 /// D6 is high for so many 255ths of the time. At 0 the pin is given back, and low as its port has it:
 /// the timer itself would leave one count of 256.

@@ -3,13 +3,17 @@
 //!
 //! The interrupts of `port.s` move the bytes of a frame; what is here begins and ends that.
 
+#[cfg(not(mega))]
+use super::chip::PORTC;
+#[cfg(mega)]
+use super::chip::PORTD as PORTC;
+use super::chip::{TC2, USART0};
 use super::flash::{self, FlashText};
 use super::shared::Shared;
-use avr_device::atmega328p::{PORTC, TC2, USART0};
 use core::arch::global_asm;
 use unoclp_modbus::Frame;
 
-global_asm!(include_str!("port.s"), options(raw));
+global_asm!(interrupts!(), include_str!("port.s"), options(raw));
 
 /// U2X0: half as many clocks for each bit.
 const DOUBLE_SPEED: u8 = 1 << 1;
@@ -22,7 +26,11 @@ const SEND: u8 = 1 << 5 | ONLY_SEND;
 /// OCF2A
 const SILENCE: u8 = 1 << 1;
 /// PC4, A4: the direction of the RS-485 driver.
+#[cfg(not(mega))]
 const DIRECTION: u8 = 1 << 4;
+/// PD1, D20: likewise.
+#[cfg(mega)]
+const DIRECTION: u8 = 1 << 1;
 /// Counts of timer 2, of 64 µs, in 3.5 characters of 11 bits: so many 256ths of the divider.
 const SILENCE_PER_DIVIDER: u16 = 77;
 /// Up to this divider, which is that above 19200 baud, silence is 1.75 ms whatever the rate.
@@ -94,6 +102,11 @@ impl Serial {
                 .ucsr0c()
                 .write(|w| w.bits(line.parity_bits | EIGHT_BITS));
             usart.ucsr0b().write(|w| w.bits(ONLY_SEND));
+            #[cfg(mega)]
+            if line.has_direction {
+                pins.ddrd().write(|w| w.bits(DIRECTION));
+            }
+            #[cfg(not(mega))]
             if line.has_direction {
                 pins.ddrc().write(|w| w.bits(DIRECTION));
             }
@@ -180,6 +193,11 @@ impl Serial {
         AT.set(0);
         END.set(length);
         CRC.set(0xFFFF);
+        #[cfg(mega)]
+        if self.pins.ddrd().read().bits() & DIRECTION != 0 {
+            self.pins.portd().modify(|_, w| w.pd1().set_bit());
+        }
+        #[cfg(not(mega))]
         if self.pins.ddrc().read().bits() & DIRECTION != 0 {
             self.pins.portc().modify(|_, w| w.pc4().set_bit());
         }

@@ -1,7 +1,7 @@
 //! The bus to the card: SPI (ATmega328P datasheet, section 19).
 
+use super::chip::SPI;
 use super::pins::Pins;
-use avr_device::atmega328p::SPI;
 
 /// Clock bytes with the card not selected before the first command: at least 74 clocks
 /// (SD Physical Layer Simplified Specification, 6.4.1).

@@ -2,9 +2,7 @@
 ; the end of an instruction of the scan to the beginning of the next, and 41 at most.
 
         .text
-        .global __vector_13
-        .type   __vector_13, @function
-__vector_13:
+        interrupt_tick
         push    r24
         in      r24, 0x3f       ; SREG
         push    r24

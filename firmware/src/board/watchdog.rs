@@ -6,9 +6,9 @@
 //! in the middle of an old scan was ended by the watchdog.
 
 use super::allowance;
+use super::chip::wdt::wdtcsr::W;
+use super::chip::{CPU, WDT};
 use super::shared::Shared;
-use avr_device::atmega328p::wdt::wdtcsr::W;
-use avr_device::atmega328p::{CPU, WDT};
 use avr_device::interrupt;
 use core::arch::global_asm;
 

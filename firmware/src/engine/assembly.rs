@@ -47,6 +47,11 @@ macro_rules! assembly {
 }
 
 unoclp_core::instructions!(assembly {
+    WIDE = cfg!(mega) as u8;
+    NEAR = NEAR;
+    VECTORS = VECTORS;
+    DATA_OUTPUTS = DATA_OUTPUTS;
+    JOB_MORE_OUTPUTS = JOB_MORE_OUTPUTS;
     REAL = BOARD.real as u8;
     PAGE_DATA = offset_of!(Running, data);
     DATA_SYSTEM = offset_of!(Data, system);
@@ -130,6 +135,24 @@ unoclp_core::instructions!(assembly {
     WORDS_ELAPSED = memory::ELAPSED;
 });
 
+/// The high byte of the words that the handlers begin in that are run most, and of the data that one byte names. RAM
+/// begins at 0x100 or at 0x200, and the page takes two times 0x100.
+const NEAR: u8 = if cfg!(mega) { 3 } else { 2 };
+/// Bytes of the chip's interrupt vectors, which stand before the handlers.
+const VECTORS: usize = if cfg!(mega) { 4 * 57 } else { 4 * 26 };
+
+/// Outputs that are bits of their own.
+#[cfg(mega)]
+const DATA_OUTPUTS: usize = offset_of!(Data, outputs);
+#[cfg(not(mega))]
+const DATA_OUTPUTS: usize = 0;
+
+/// The outputs 05 to 08 that are not PWM.
+#[cfg(mega)]
+const JOB_MORE_OUTPUTS: usize = offset_of!(Job, more_outputs);
+#[cfg(not(mega))]
+const JOB_MORE_OUTPUTS: usize = 0;
+
 // `link.s` tells these apart by their bits.
 const _: () = {
     // Contacts: bit 5 is set of inverted inputs and of outputs, bit 4 of inputs and outputs that are not
@@ -158,6 +181,7 @@ const _: () = {
     // It keeps address and place of a label, 4 bytes, in the registers.
     assert!(BOARD.labels <= isa::REGISTERS && BOARD.labels.is_power_of_two());
     // The page is left by `subi` with one byte, and all of the data that one byte names stands at its end.
-    assert!(offset_of!(Data, registers) < 128);
-    assert!(offset_of!(Running, data) >= 0x100 && size_of::<Running>() == 0x200);
+    assert!(offset_of!(Data, registers) < if cfg!(mega) { 256 } else { 128 });
+    assert!(offset_of!(Running, data) + offset_of!(Data, system) >= 0x100);
+    assert!(size_of::<Running>() == 0x200);
 };

@@ -9,7 +9,11 @@ pub type Cell = u8;
 /// The only bit of a cell that counts.
 pub const ON: Cell = 0x80;
 
+/// Outputs up to the last that can be PWM, or that there is.
+pub const PWM: usize = BOARD.outputs as usize;
+
 /// Images, markers, registers and readings.
+#[cfg(not(mega))]
 #[repr(C)]
 pub struct Data {
     /// S 01 … S 04.
@@ -23,7 +27,7 @@ pub struct Data {
     /// The line of that jump.
     pub line: u16,
     /// PWM of the output with this index.
-    pub pwm: [u8; 4],
+    pub pwm: [u8; PWM],
     /// The readings of A 00 … A 04, 0 to 1023.
     pub analogue: [u16; BOARD.analogue as usize],
     /// How long the last scan took, µs; and the time stamp of this scan, ms.
@@ -34,16 +38,46 @@ pub struct Data {
     pub registers: [[u8; REGISTER_BYTES]; BOARD.engine.near_registers as usize],
 }
 
+/// Images, markers, registers and readings; bits of their own and registers come last, where one byte names them.
+#[cfg(mega)]
+#[repr(C)]
+pub struct Data {
+    /// PWM of the output with this index.
+    pub pwm: [u8; PWM],
+    /// The readings of A 00 … A 07, 0 to 1023.
+    pub analogue: [u16; BOARD.analogue as usize],
+    /// How long the last scan took, µs; and the time stamp of this scan, ms.
+    pub readings: [u32; 2],
+    /// What is left for jumps back in this scan (NC-19); less than 0 where one went beyond.
+    pub budget: i16,
+    /// The line of that jump.
+    pub line: u16,
+    /// Inputs 05 … 08 again, as bits 4 to 7.
+    pub more_inputs: u8,
+    /// S 01 … S 04.
+    pub system: [Cell; 4],
+    /// Inputs 05 … 24.
+    pub inputs: [Cell; BOARD.inputs as usize - 4],
+    /// Outputs 05 … 16.
+    pub outputs: [Cell; BOARD.outputs as usize - 4],
+    /// M 01 … M 64.
+    pub markers: [Cell; BOARD.markers as usize],
+    /// D 01 … D 32, low byte first. Run memory, where the others stand, comes right after.
+    pub registers: [[u8; REGISTER_BYTES]; BOARD.engine.near_registers as usize],
+}
+
 /// The first of the retentive markers, counted from 0.
 const KEPT: usize = RETENTIVE as usize - 1;
 
-const _: () = assert!(size_of::<Data>() <= 232);
+const _: () = assert!(size_of::<Data>() <= if cfg!(mega) { 400 } else { 232 });
 
 impl Data {
     /// As before the first scan; but the retentive markers keep their states (NC-12).
     pub fn restart(&mut self) {
         self.budget = 0;
         self.pwm.fill(0);
+        #[cfg(mega)]
+        self.outputs.fill(0);
         self.markers[..KEPT].fill(0);
         self.registers.as_flattened_mut().fill(0);
     }

@@ -2,6 +2,7 @@
 ; are at the head of `rules.s`; they end by going `back`.
 
         .section .progmem.gcc.engine, "ax", @progbits
+        .space  0x200 * (NEAR - 2) - VECTORS * (NEAR - 2)
 engine_first_page:
 
 ; REAL numbers. Where the board has none the loader refuses them, and their labels are those of what comes next.
@@ -165,4 +166,4 @@ table:
         clc
         ret
 first_page_end:
-        .space  0x198 - (first_page_end - engine_first_page)
+        .space  0x200 - VECTORS * (3 - NEAR) - (first_page_end - engine_first_page)

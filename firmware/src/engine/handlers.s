@@ -168,7 +168,7 @@ engine_escape_first:
         rjmp    escape_first
 engine_escape:
         ld      r30, X+
-        ldi     r31, 1
+        ldi     r31, NEAR - 1
         ijmp
 
 ; The end of the code, and of the scan.
@@ -181,7 +181,7 @@ new_rung:
         next
 escape_first:
         ld      r30, X+
-        ldi     r31, 0
+        ldi     r31, NEAR - 2
         ijmp
 far_cell:
         ld      r31, X+

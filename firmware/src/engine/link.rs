@@ -42,6 +42,9 @@ pub(super) struct Job {
     pub(super) open: u16,
     /// The outputs that are not PWM, as they stand in the images.
     pub(super) outputs: u8,
+    /// The outputs 05 to 08 that are not PWM, from bit 0 on.
+    #[cfg(mega)]
+    pub(super) more_outputs: u8,
     pub(super) jumps_back: bool,
     /// What has been read and not been put yet.
     pub(super) pending: u8,
@@ -106,7 +109,9 @@ pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Result
         position: 0,
         closing: 0,
         open: layout.begin,
-        outputs: !layout.stored.needs.pwm << POINTS,
+        outputs: !(layout.stored.needs.pwm as u8) << POINTS,
+        #[cfg(mega)]
+        more_outputs: !(layout.stored.needs.pwm as u8) >> POINTS,
         jumps_back: false,
         pending: RUNG,
         ones: 0,

@@ -25,6 +25,8 @@
         .equ    CONTACT, 7
 ; The base: a branch point, HEAD, or this.
         .equ    NO_BASE, 9
+; The first stored byte of a contact of an input above 16: its number follows.
+        .equ    FAR_INPUT, 0x88
 
         .section .text.engine_link, "ax", @progbits
         .global engine_link
@@ -111,7 +113,7 @@ link_handler:
         rcall   link_flush
         mov     r25, r15
         ldi     r24, pm_lo8(engine_escape_first)
-        cpi     r25, 1
+        cpi     r25, NEAR - 1
         brcs    1f
         ldi     r24, pm_lo8(engine_escape)
         brne    2f
@@ -238,6 +240,21 @@ link_bit:
 ; The instruction that begins with r16.
 link_one:
         mov     r24, r16        ; the place of its row
+        .if     WIDE
+        cpi     r24, FAR_INPUT  ; of an input above 16, and inverted
+        brcs    1f
+        cpi     r24, FAR_INPUT + 2
+        brcc    1f
+        subi    r16, FAR_INPUT - 1
+        swap    r16
+        ldi     r24, KIND_INPUT
+        mov     r12, r24
+        rcall   link_next
+        mov     r17, r24
+        dec     r17
+        rjmp    link_contact
+1:      mov     r24, r16
+        .endif
         cpi     r24, BEHIND_POINTS
         brcc    2f
         cpi     r24, FIRST_POINT
@@ -295,7 +312,19 @@ link_recall:
         ldi     r24, READY
         std     Y+JOB_PENDING, r24
         ret
-3:      andi    r17, 3          ; set and reset coils, 4 words each
+3:
+        .if     WIDE
+        cpi     r17, POINTS
+        brcs    5f
+        ldi     r24, pm_lo8(engine_cell_set)
+        sbrc    r16, 4
+        ldi     r24, pm_lo8(engine_cell_reset)
+        rcall   link_more
+        inc     r17
+        rjmp    link_object
+5:
+        .endif
+        andi    r17, 3          ; set and reset coils, 4 words each
         lsl     r17
 4:      add     r14, r17
         add     r14, r17
@@ -316,6 +345,17 @@ link_recall:
 
 ; A coil of output r17.
 link_coil:
+        .if     WIDE
+        cpi     r17, POINTS
+        brcs    1f
+        inc     r17
+        ldi     r24, pm_lo8(engine_cell_coil)
+        rcall   link_fast
+        ldi     r24, KIND_OUTPUT
+        mov     r12, r24
+        rjmp    link_object
+1:
+        .endif
         rcall   link_flush
         andi    r17, 3
         std     Y+JOB_ONES, r17
@@ -334,13 +374,21 @@ link_contact:
         rjmp    3f
 2:      cpi     r17, POINTS
         brcs    4f
+        .if     WIDE
+link_far_contact:
+        .endif
         inc     r17             ; inputs from 05 on
         ldi     r24, pm_lo8(engine_cell)
         sbrs    r16, 4
         ldi     r24, pm_lo8(engine_cell_not)
         rcall   link_fast
         rjmp    link_object
-3:      ori     r17, POINTS
+3:
+        .if     WIDE
+        cpi     r17, POINTS
+        brcc    link_far_contact
+        .endif
+        ori     r17, POINTS
 4:      mov     r24, r17
         rcall   link_bit
         mov     r17, r24
@@ -413,8 +461,17 @@ link_plain:
         breq    link_own
         ldd     r24, Y+JOB_OUTPUTS
         cpi     r16, OP_StoreOutputs
+        .if     WIDE
+        breq    link_all_outputs
+        ret
+link_all_outputs:
+        rcall   link_put
+        ldd     r24, Y+JOB_MORE_OUTPUTS
+        rjmp    link_put
+        .else
         breq    link_put_far
         ret
+        .endif
 1:      lsl     r24             ; how what is opened is closed
         rol     r25
         lsl     r24
@@ -429,7 +486,7 @@ link_plain:
         breq    3f
         ldi     r19, pm_lo8(engine_close_xor)
 3:      mov     r14, r19
-        ldi     r19, 1
+        ldi     r19, NEAR - 1
         mov     r15, r19
 4:      lsr     r25
         ror     r24
@@ -533,7 +590,7 @@ link_if:
 ; Puts the handler r24 of `more.s`.
 link_more:
         mov     r14, r24
-        ldi     r24, 1
+        ldi     r24, NEAR - 1
         mov     r15, r24
         rjmp    link_handler
 ; The jump whose target has just been put is open.
@@ -626,7 +683,23 @@ link_numbered:
         sbrc    r16, 0          ; inverted
         ldi     r24, pm_lo8(engine_xor_cell_not)
         mov     r14, r24
-1:      ldi     r24, pm_lo8(engine_load)
+1:
+        .if     WIDE
+        cpi     r25, KIND_OUTPUT
+        brne    1f
+        cpi     r17, POINTS + 1
+        brcs    1f
+        ldi     r24, pm_lo8(engine_cell_coil_not)
+        cpi     r16, OP_NegatedCoil
+        breq    2f
+        ldi     r24, pm_lo8(engine_xor_cell)
+        cpi     r16, OP_XorOutput
+        breq    2f
+        ldi     r24, pm_lo8(engine_xor_cell_not)
+2:      mov     r14, r24
+1:
+        .endif
+        ldi     r24, pm_lo8(engine_load)
         ldi     r18, NEAR
         cp      r14, r24
         cpc     r15, r18
@@ -654,6 +727,12 @@ link_numbered:
         rjmp    2f
 1:      cpi     r25, KIND_OUTPUT
         brne    3f
+        .if     WIDE
+        cpi     r17, POINTS + 1
+        brcs    1f
+        rjmp    link_object
+1:
+        .endif
         subi    r24, 0 - POINTS
 2:      dec     r24
         rcall   link_bit
@@ -926,7 +1005,15 @@ link_find:
         brne    3f
         subi    r24, DATA_REGISTERS - DATA_INPUTS + POINTS
         rjmp    7f
-3:      cpi     r19, KIND_PWM
+3:
+        .if     WIDE
+        cpi     r19, KIND_OUTPUT ; those from 05 on
+        brne    3f
+        subi    r24, DATA_REGISTERS - DATA_OUTPUTS + POINTS
+        rjmp    7f
+3:
+        .endif
+        cpi     r19, KIND_PWM
         brne    9f
         subi    r24, DATA_REGISTERS - DATA_PWM
 7:      ldi     r18, 1

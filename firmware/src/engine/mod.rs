@@ -37,8 +37,11 @@ use unoclp_core::isa::{COUNTER_DATA, JUMP_BUDGET, REGISTER_BYTES, TIMER_DATA};
 use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs};
 
 const _: () = {
-    assert!(BOARD.engine.fast_inputs == POINTS && BOARD.outputs <= POINTS);
-    assert!(BOARD.inputs as usize <= POINTS as usize + 4);
+    assert!(BOARD.engine.fast_inputs == POINTS);
+    #[cfg(mega)]
+    assert!(BOARD.engine.fast_outputs == POINTS);
+    #[cfg(not(mega))]
+    assert!(BOARD.outputs <= POINTS && BOARD.inputs as usize <= POINTS as usize + 4);
     assert!(JUMP_BUDGET < i16::MAX as u16);
 };
 
@@ -124,8 +127,12 @@ impl<'m> Linked<'m> {
         self.own = cut_end(&mut rest, size.own.into());
         self.code = code;
         let needs = layout.stored.needs;
-        self.prepares =
-            needs.system | needs.filter | needs.inputs >> POINTS != 0 || layout.jumps_back;
+        #[cfg(not(mega))]
+        let more = needs.inputs >> POINTS;
+        // The usual scan has them all.
+        #[cfg(mega)]
+        let more = 0;
+        self.prepares = needs.system | needs.filter | more != 0 || layout.jumps_back;
         self.clear(images);
         Ok(())
     }
@@ -200,7 +207,7 @@ impl<'m> Linked<'m> {
     /// Whether a scan needs to [`prepare`](Linked::prepare).
     pub fn has_to_prepare(&self) -> bool {
         // Inputs from 05 on that were forced, and are no more, are still to be forgotten.
-        self.prepares || self.layout.memory.data.more_inputs != 0
+        self.prepares || !cfg!(mega) && self.layout.memory.data.more_inputs != 0
     }
 
     /// The input image as the input filter of the program has it (NC-18).
@@ -216,7 +223,16 @@ impl<'m> Linked<'m> {
         let needs = self.needs();
         let data = &mut *self.layout.memory.data;
         let bits = inputs.0 as u8;
-        data.more_inputs = bits & !Images::INPUTS;
+        #[cfg(not(mega))]
+        {
+            data.more_inputs = bits & !Images::INPUTS;
+        }
+        #[cfg(mega)]
+        {
+            data.more_inputs = bits & !Images::INPUTS;
+            spread(inputs.0 >> POINTS, &mut data.inputs);
+        }
+        #[cfg(not(mega))]
         if needs.inputs >> POINTS != 0 {
             // The bit of each comes to where a cell has it.
             data.inputs = [bits << 3 & ON, bits << 2 & ON, bits << 1 & ON, bits & ON];
@@ -251,8 +267,27 @@ impl<'m> Linked<'m> {
     }
 
     /// Writes the output image for the next scan. Outputs that are PWM stay 0 there (NC-18).
+    #[cfg(not(mega))]
     pub fn take_outputs(&self, images: &mut Images, outputs: Image) {
         images.set_outputs(Image(outputs.0 & !u16::from(self.needs().pwm)));
+    }
+
+    /// The same; those from 05 on are bits of their own.
+    #[cfg(mega)]
+    pub fn take_outputs(&mut self, images: &mut Images, outputs: Image) {
+        let outputs = Image(outputs.0 & !self.needs().pwm);
+        images.set_outputs(outputs);
+        spread(outputs.0 >> POINTS, &mut self.layout.memory.data.outputs);
+    }
+
+    /// Has the image of the outputs tell those from 05 on, which the last scan has left as bits of their own.
+    #[cfg(mega)]
+    pub fn gather_outputs(&self, images: &mut Images) {
+        let cells = self.layout.memory.data.outputs.iter();
+        let more = cells
+            .rev()
+            .fold(0, |bits, cell| bits << 1 | u32::from(cell & ON != 0));
+        images.set_outputs(Image(images.near_outputs() | more << POINTS));
     }
 
     /// What a scan runs: the linked code, and the data of its first timer. The handlers go from one to the next
@@ -296,4 +331,14 @@ fn cut_end<'m>(memory: &mut &'m mut [u8], length: usize) -> &'m mut [u8] {
 /// The cell of a bit.
 fn on(state: bool) -> Cell {
     if state { ON } else { 0 }
+}
+
+/// A bit for each cell, the lowest first.
+#[cfg(mega)]
+#[inline(never)]
+fn spread(mut bits: u32, cells: &mut [Cell]) {
+    for cell in cells {
+        *cell = on(bits & 1 != 0);
+        bits >>= 1;
+    }
 }

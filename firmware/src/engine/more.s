@@ -134,10 +134,14 @@ engine_load_word:
 engine_load_inputs:
         rjmp    load_inputs
 engine_load_outputs:
+        .if     WIDE
+        rjmp    load_outputs
+        .else
         mov     r22, r18
         swap    r22
         andi    r22, INPUTS
         rjmp    byte_value
+        .endif
 engine_load_bit:
         clr     r22
         bld     r22, 0
@@ -171,10 +175,14 @@ engine_store_pwm:
 engine_store_markers:
         rjmp    store_markers
 engine_store_outputs:
+        .if     WIDE
+        rjmp    store_outputs
+        .else
         ld      r21, X+         ; which there are
         mov     r30, r22
         swap    r30
         and     r21, r30
+        .endif
 outputs:
         brtc    1f
         andi    r18, INPUTS

@@ -11,6 +11,9 @@ where:
         brts    1f
         pop     r0
         pop     r0
+        .if     WIDE            ; an address in flash has three bytes
+        pop     r0
+        .endif
         rjmp    back
 address:
         ld      r31, X+
@@ -274,6 +277,46 @@ square_root:
 5:      inc     r8
 6:      movw    r22, r8
         rjmp    word_value
+
+        .if     WIDE
+; Outputs 01 to 08: those from 05 on are bits of their own.
+load_outputs:
+        mov     r22, r18
+        swap    r22
+        andi    r22, INPUTS
+        lds     r21, OUTPUT_CELLS
+        sbrc    r21, 7
+        ori     r22, 1 << 4
+        lds     r21, OUTPUT_CELLS+1
+        sbrc    r21, 7
+        ori     r22, 1 << 5
+        lds     r21, OUTPUT_CELLS+2
+        sbrc    r21, 7
+        ori     r22, 1 << 6
+        lds     r21, OUTPUT_CELLS+3
+        sbrc    r21, 7
+        ori     r22, 1 << 7
+        rjmp    byte_value
+store_outputs:
+        ld      r21, X+         ; which there are
+        ld      r8, X+
+        brtc    1f
+        mov     r30, r22
+        swap    r30
+        and     r21, r30
+        andi    r18, INPUTS
+        or      r18, r21
+        and     r30, r8
+        swap    r30
+        sts     OUTPUT_CELLS+3, r30
+        lsl     r30
+        sts     OUTPUT_CELLS+2, r30
+        lsl     r30
+        sts     OUTPUT_CELLS+1, r30
+        lsl     r30
+        sts     OUTPUT_CELLS, r30
+1:      rjmp    back
+        .endif
 
 ; All inputs.
 load_inputs:
@@ -578,8 +621,8 @@ integrate:
 ; the handlers do not begin in the words that they are to.
         .type   engine_pages_fit, @object
 engine_pages_fit:
-        .byte   first_page_end - 257
-        .byte   more_page_end - 769
-        .byte   engine_page_end - 1281
+        .byte   first_page_end - 257 - 0x200 * (NEAR - 2)
+        .byte   more_page_end - 769 - 0x200 * (NEAR - 2)
+        .byte   engine_page_end - 1281 - 0x200 * (NEAR - 2)
         .size   engine_pages_fit, . - engine_pages_fit
         .text

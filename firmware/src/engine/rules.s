@@ -1,6 +1,6 @@
 ; The handlers of the engine. Linked code is a row of bytes, each the low byte of the word address of a handler:
 ; whatever a handler has to do, it ends by going to that of the next byte. Those that are run most begin in words 0x200
-; to 0x2FF, so that the high byte of their address is that of the data they need most: markers, the first registers
+; to 0x2FF, or 0x300 to 0x3FF (NEAR), so that the high byte of their address is that of the data they need most: markers, the first registers
 ; and other cells stand at 0x200 to 0x2FF of the data space, and one byte names them. The others begin in the words
 ; before, in `first.s` and `more.s`, and are reached by escapes. avr-gcc's linker script puts `.progmem.gcc*` right
 ; behind the interrupt vectors. The last lines of `numbers.s` check that all of them fit.
@@ -24,9 +24,6 @@
 ; address, its high byte comes first. What a bit of its own stands for is in bit 7 of a byte: a marker,
 ; a system marker, an input from 05 on, Q of a timer.
 
-; The high byte of the words that the handlers begin in, and of the data that one byte names.
-        .equ    NEAR, 2
-
 ; Goes on to the next linked byte: 4 cycles.
 .macro  next
         ld      r30, X+
@@ -43,4 +40,10 @@
         .equ    READINGS, ENGINE + DATA_ANALOGUE
         .equ    MARKERS, ENGINE + DATA_MARKERS
         .equ    REGISTERS, ENGINE + DATA_REGISTERS
+        .if     WIDE
+        .global INPUT_CELLS, OUTPUT_CELLS, MORE_INPUTS
+        .equ    INPUT_CELLS, ENGINE + DATA_INPUTS
+        .equ    OUTPUT_CELLS, ENGINE + DATA_OUTPUTS
+        .equ    MORE_INPUTS, ENGINE + DATA_MORE_INPUTS
+        .endif
 

@@ -13,9 +13,18 @@ use unoclp_core::isa::{COUNTER_DATA, TIMER_DATA};
 use unoclp_core::{Image, Millis};
 use unoclp_modbus::eeprom::program;
 use unoclp_modbus::map::{
-    AREA, AREAS, NANO, PRODUCT, Span, VENDOR, coil, flag, form, holding, input,
+    AREA, AREAS, MEGA, NANO, PRODUCT, Span, VENDOR, coil, flag, form, holding, input,
 };
 use unoclp_modbus::{Access, Addresses, Device, Exception, Table, Word};
+
+/// What the board says that it is.
+const NAME: &str = if cfg!(mega) {
+    MEGA
+} else if cfg!(nano) {
+    NANO
+} else {
+    PRODUCT
+};
 
 const MARKER: u8 = coil::MARKERS.first as u8;
 const MARKERS: usize = coil::MARKERS.values as usize;
@@ -122,8 +131,13 @@ impl Map<'_, '_, '_> {
         } else if number < number::FORCES {
             operation.state as u16
         } else if number < number::SETTINGS {
-            let forces = operation.forces.0.get(usize::from(number - number::FORCES));
-            forces.copied().unwrap_or(0).into()
+            #[cfg(mega)]
+            return operation.forces.word(number - number::FORCES);
+            #[cfg(not(mega))]
+            {
+                let forces = operation.forces.0.get(usize::from(number - number::FORCES));
+                forces.copied().unwrap_or(0).into()
+            }
         } else {
             self.settings.get(number - number::SETTINGS)
         }
@@ -140,7 +154,9 @@ impl Map<'_, '_, '_> {
                 _ => Ok(()),
             };
         } else if (number::FORCED_OUTPUTS..=number::OUTPUTS_TO).contains(&number) {
-            value < 1 << coil::OUTPUTS.values
+            cfg!(mega) || value < 1 << (coil::OUTPUTS.values & 15)
+        } else if cfg!(mega) && number < number::FORCES + 2 {
+            true
         } else if number < number::SETTINGS {
             value < 1 << u8::BITS
         } else if self.operation.state == State::Run {
@@ -168,7 +184,13 @@ impl Map<'_, '_, '_> {
                 self.operation.command = Some(command);
             }
         } else if number < number::SETTINGS {
+            #[cfg(mega)]
+            self.operation
+                .forces
+                .set_word(number - number::FORCES, value);
+            #[cfg(not(mega))]
             let forces = &mut self.operation.forces.0;
+            #[cfg(not(mega))]
             if let Some(place) = forces.get_mut(usize::from(number - number::FORCES)) {
                 *place = value as u8;
             }
@@ -252,6 +274,48 @@ impl Device for Map<'_, '_, '_> {
         false
     }
 
+    /// Bit by bit: outputs and markers join.
+    #[cfg(mega)]
+    #[inline(never)]
+    fn bits(&mut self, addresses: &Addresses, count: u8, bits: u8) -> u8 {
+        let Addresses {
+            table,
+            access,
+            first,
+            ..
+        } = *addresses;
+        let operation = &mut *self.operation;
+        let Image(inputs) = operation.images.inputs();
+        let Image(shown) = operation.outputs();
+        let Image(mut outputs) = operation.images.outputs();
+        let mut read = 0;
+        for index in 0..count {
+            // All that there is stands at addresses of one byte.
+            let at = first as u8 + index;
+            let on = bits >> index & 1 != 0;
+            let was = if table != Table::Coils {
+                inputs >> at & 1 != 0
+            } else if at < MARKER {
+                if access == Access::Write {
+                    outputs = outputs & !(1 << at) | u32::from(on) << at;
+                }
+                shown >> at & 1 != 0
+            } else {
+                let cell = &mut self.memory.data.markers[usize::from(at - MARKER) % MARKERS];
+                if access == Access::Write {
+                    *cell = if on { ON } else { 0 };
+                }
+                *cell & ON != 0
+            };
+            read |= u8::from(was) << index;
+        }
+        if access == Access::Write {
+            operation.images.set_outputs(Image(outputs));
+        }
+        read
+    }
+
+    #[cfg(not(mega))]
     #[inline(never)]
     fn bits(&mut self, addresses: &Addresses, count: u8, bits: u8) -> u8 {
         let Addresses {
@@ -385,10 +449,7 @@ impl Device for Map<'_, '_, '_> {
     fn identification(&self, object: u8, index: u8) -> Option<u8> {
         let text = match object {
             0 => flash_codes!(Codes::plain(VENDOR)),
-            1 => flash_codes!(Codes::plain(match cfg!(nano) {
-                true => NANO,
-                false => PRODUCT,
-            })),
+            1 => flash_codes!(Codes::plain(NAME)),
             _ => flash_codes!(Codes::plain(env!("CARGO_PKG_VERSION"))),
         };
         text.at(index)

@@ -10,8 +10,13 @@ type Rung = Vec<Instruction<'static>>;
 /// Rungs that take about as many bytes as the board has, or fewer. They name timers and labels that are
 /// still to be found: see [`resolve`].
 pub(super) fn random_rungs(random: &mut Random, board: Board) -> Vec<Rung> {
-    // As many programs of about 10 bytes as of 100 or of 1000.
-    let magnitude = random.below(9);
+    // As many programs of about 10 bytes as of 100 or of 1000, and on a larger board of what fills it.
+    let larger = if board.engine.links && board.linked_bytes > 4_000 {
+        3
+    } else {
+        0
+    };
+    let magnitude = random.below(9 + larger);
     let size = random.below(4 << magnitude) as usize;
     let mut draft = Draft {
         size: size.min(board.linked_bytes.into()),
@@ -545,7 +550,7 @@ impl Draft<'_> {
     /// XX of a code of this kind that has nothing else.
     /// Whether one of a few points is taken, where there are so many that programs would seldom name one twice.
     fn near(&mut self) -> bool {
-        self.board.inputs > isa::POINTS && self.random.percent(70)
+        self.board.inputs > 2 * isa::POINTS && self.random.percent(70)
     }
 
     fn xx(&mut self, kind: Kind) -> Option<u8> {

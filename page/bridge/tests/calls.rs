@@ -32,7 +32,7 @@ fn a_board_tells_what_it_has() {
     assert_eq!(
         uno,
         json!({
-            "id": "uno", "name": "UNO", "all": ["uno", "nano", "pc"], "firmware": true, "real": true,
+            "id": "uno", "name": "UNO", "all": ["uno", "nano", "mega", "pc"], "firmware": true, "real": true,
             "inputs": 8, "outputs": 4, "analogue": 5, "pwm": [1, 4],
             "shared": [[5, 0], [6, 1], [7, 2], [8, 3]],
             "markers": 64, "retentive": [57, 64], "registers": 98, "nearRegisters": 32,

@@ -34,6 +34,7 @@ const THERMOMETER: u32 = 314_000;
 /// Channels of the multiplexer beyond the pins.
 const CHANNEL_THERMOMETER: u8 = 8;
 const CHANNEL_REFERENCE: u8 = 14;
+const LARGE_CHIPS_REFERENCE: u8 = 0x1E;
 const HIGHEST: u64 = 1023;
 
 #[derive(Clone, Copy, Debug)]
@@ -189,7 +190,11 @@ impl Adc {
     }
 
     fn sample(&mut self, mux: u8, inputs: &Inputs, pull_ups: u8) -> u16 {
-        let channel = mux & 0x0F;
+        // Of five bits on the larger chip, where the reference is all ones but the last.
+        let channel = match mux & 0x1F {
+            LARGE_CHIPS_REFERENCE => CHANNEL_REFERENCE,
+            mux => mux & 0x0F,
+        };
         let (before, held) = self.sampled;
         let microvolts = match channel {
             0..CHANNEL_THERMOMETER => inputs.microvolts(channel, pull_ups >> channel & 1 == 1),

@@ -244,8 +244,8 @@ impl Simulated for Avr8js {
         Ok(())
     }
 
-    fn set_inputs(&mut self, closed: u8) {
-        self.request(request::INPUTS, &[&[closed]]);
+    fn set_inputs(&mut self, closed: u32) {
+        self.request(request::INPUTS, &[&[closed as u8]]);
     }
 
     fn set_reading(&mut self, index: usize, reading: u16) {
@@ -264,7 +264,7 @@ impl Simulated for Avr8js {
         std::mem::take(&mut self.serial)
     }
 
-    fn outputs(&self) -> u8 {
+    fn outputs(&self) -> u32 {
         PinRegisters::of_data(&self.data).levels().outputs
     }
 

@@ -6,8 +6,6 @@
 //!
 //! Not modelled: the interrupt EE_READY, which a program that asks for it never gets.
 
-use crate::program::EEPROM_LEN;
-
 /// Cycles of a byte write at 16 MHz: 3.4 ms (datasheet, table 8-1: erase and write in one operation).
 pub const EEPROM_WRITE_CYCLES: u64 = 54_400;
 /// Cycles of erasing or writing alone: 1.8 ms (table 8-1).
@@ -79,7 +77,7 @@ struct Programming {
 
 /// The EEPROM. All times are cycles since the board was made.
 pub(crate) struct Eeprom {
-    bytes: [u8; EEPROM_LEN],
+    bytes: Vec<u8>,
     /// EERIE and EEPM.
     control: u8,
     /// When EEMPE was set.
@@ -92,9 +90,9 @@ pub(crate) struct Eeprom {
 
 impl Eeprom {
     /// As from the factory: erased.
-    pub fn new() -> Eeprom {
+    pub fn new(len: usize) -> Eeprom {
         Eeprom {
-            bytes: [ERASED; EEPROM_LEN],
+            bytes: vec![ERASED; len],
             control: 0,
             armed: None,
             programming: None,
@@ -120,7 +118,7 @@ impl Eeprom {
 
     /// How often each byte has been erased or written, also where it kept its value.
     pub fn wear(&self) -> Vec<u32> {
-        let mut wear = vec![0; EEPROM_LEN];
+        let mut wear = vec![0; self.bytes.len()];
         for write in &self.writes {
             wear[usize::from(write.address)] += 1;
         }
@@ -150,7 +148,7 @@ impl Eeprom {
         }
         self.control = value & (EEPM | EERIE);
         // EEAR has ten bits.
-        let address = address % EEPROM_LEN as u16;
+        let address = address % self.bytes.len() as u16;
         if value & EEPE != 0 && self.is_armed(now) {
             self.armed = None;
             return match Mode::of(self.control) {

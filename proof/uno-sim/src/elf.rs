@@ -1,6 +1,7 @@
 //! A program from an ELF file.
 
 use crate::Error;
+use crate::chip::Chip;
 use crate::program::{DATA, Program, RAM_START, Space, Symbol, locate};
 use object::elf::{EM_AVR, PT_LOAD, SHF_ALLOC};
 use object::read::elf::{ElfFile32, FileHeader as _, ProgramHeader as _, SectionHeader as _};
@@ -24,7 +25,11 @@ pub(crate) fn read(path: &Path, flash_len: usize) -> Result<Program, Error> {
     if elf.elf_header().e_machine(endian) != EM_AVR {
         return Err(unfit("it is for another kind of processor".into()));
     }
-    let mut program = Program::empty(flash_len);
+    let chip = Chip::of_flags(elf.elf_header().e_flags(endian));
+    let mut program = Program {
+        chip,
+        ..Program::empty(flash_len.max(chip.flash_len()))
+    };
     for segment in elf.elf_program_headers() {
         let bytes = segment.data(endian, file.as_slice()).map_err(|()| {
             unfit("a segment lies outside the file; it seems to be cut off".into())
@@ -35,7 +40,7 @@ pub(crate) fn read(path: &Path, flash_len: usize) -> Result<Program, Error> {
                 .map_err(unfit)?;
         }
     }
-    program.static_ram_end = static_ram_end(&elf, endian).max(RAM_START);
+    program.static_ram_end = static_ram_end(&elf, endian).max(chip.ram_start());
     program.symbols = elf
         .symbols()
         .filter_map(|symbol| {

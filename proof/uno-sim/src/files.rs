@@ -34,6 +34,14 @@ pub fn nano_file() -> Result<PathBuf, Error> {
     beside("unoclp-nano")
 }
 
+/// The firmware of the Mega: it stands beside [`firmware_file`].
+///
+/// # Errors
+/// [`Error::NoFirmware`] where there is no such file.
+pub fn mega_file() -> Result<PathBuf, Error> {
+    beside("unoclp-mega")
+}
+
 /// A file of this name and of the form of [`firmware_file`].
 fn beside(name: &str) -> Result<PathBuf, Error> {
     let uno = firmware_file()?;

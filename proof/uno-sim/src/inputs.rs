@@ -5,9 +5,9 @@
 pub const INPUTS: usize = 8;
 /// Analogue inputs there are: points 01 to 05, pins A0 to A4.
 pub const ANALOGUE_INPUTS: usize = 5;
+/// The most that any board has.
+pub(crate) const MOST_ANALOGUE: usize = 8;
 
-/// Pins of port C: A0 to A5.
-pub(crate) const PINS_C: usize = 6;
 /// First pin of port D with a button: input 0 is D2.
 pub(crate) const FIRST_D: u8 = 2;
 /// Inputs on port D; those after them are on port C, from A0 on.
@@ -41,10 +41,12 @@ pub(crate) struct Driven {
 /// All of them.
 pub(crate) struct Inputs {
     /// Bit n: the button of input n is closed.
-    pub closed: u8,
+    pub closed: u32,
     /// The switch RUN/STOP is closed.
     pub stop: bool,
-    pub analogue: [Analogue; ANALOGUE_INPUTS],
+    pub analogue: [Analogue; MOST_ANALOGUE],
+    /// The pins of analogue inputs have buttons and the switch too.
+    pub shared: bool,
     /// VCC and AVCC.
     pub supply_mv: u16,
 }
@@ -55,7 +57,8 @@ impl Inputs {
         Inputs {
             closed: 0,
             stop: false,
-            analogue: [Analogue::Open; ANALOGUE_INPUTS],
+            analogue: [Analogue::Open; MOST_ANALOGUE],
+            shared: true,
             supply_mv: SUPPLY_MV,
         }
     }
@@ -63,7 +66,7 @@ impl Inputs {
     /// Port D.
     pub fn port_d(&self) -> Driven {
         Driven {
-            mask: self.closed << (8 - INPUTS_D) >> (8 - INPUTS_D) << FIRST_D,
+            mask: (self.closed as u8) << (8 - INPUTS_D) >> (8 - INPUTS_D) << FIRST_D,
             levels: 0,
         }
     }
@@ -74,7 +77,7 @@ impl Inputs {
             mask: self.to_ground(),
             levels: 0,
         };
-        for (pin, _) in self.analogue.iter().enumerate() {
+        for (pin, _) in self.analogue.iter().enumerate().take(ANALOGUE_INPUTS) {
             if let Some(microvolts) = self.voltage(pin as u8) {
                 driven.mask |= 1 << pin;
                 let high = 2 * microvolts >= self.supply();
@@ -97,12 +100,12 @@ impl Inputs {
 
     /// Pins of port C whose button or switch is closed.
     fn to_ground(&self) -> u8 {
-        self.closed >> INPUTS_D | u8::from(self.stop) << STOP
+        self.closed as u8 >> INPUTS_D | u8::from(self.stop) << STOP
     }
 
     /// What the outside puts on a pin of port C, µV.
     fn voltage(&self, pin: u8) -> Option<u32> {
-        if self.to_ground() >> pin & 1 == 1 {
+        if self.shared && self.to_ground() >> pin & 1 == 1 {
             return Some(0);
         }
         match *self.analogue.get(usize::from(pin))? {

@@ -1,6 +1,7 @@
 //! The pins of the UNO's standard wiring, seen from outside (docs/numeric-code.md, "Pins of the UNO").
 
 use crate::avr::{Avr, reg};
+use crate::chip::{Chip, MEGA_PORTS, mega_levels};
 
 /// Outputs there are: points 01 to 04, pins D6 to D9.
 pub const OUTPUTS: usize = 4;
@@ -32,6 +33,33 @@ pub struct Edge {
 #[derive(Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct PinRegisters(u64);
 
+/// The same of either chip.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Registers {
+    Uno(PinRegisters),
+    /// DDR and PORT of [`MEGA_PORTS`].
+    Mega([[u8; 2]; 6]),
+}
+
+impl Registers {
+    #[inline(always)]
+    pub fn of(avr: &Avr) -> Registers {
+        match avr.chip() {
+            Chip::Atmega328p => Registers::Uno(PinRegisters::of(avr)),
+            Chip::Atmega2560 => {
+                Registers::Mega(MEGA_PORTS.map(|ddr| [avr.register(ddr), avr.register(ddr + 1)]))
+            }
+        }
+    }
+
+    pub fn levels(self) -> Levels {
+        match self {
+            Registers::Uno(registers) => registers.levels(),
+            Registers::Mega(registers) => mega_levels(registers),
+        }
+    }
+}
+
 impl PinRegisters {
     #[inline]
     pub fn of(avr: &Avr) -> PinRegisters {
@@ -56,8 +84,8 @@ impl PinRegisters {
         let [ddrb, portb, spi_on, ddrc, portc, _, ddrd, portd] = self.0.to_le_bytes();
         let (high_b, high_d) = (ddrb & portb, ddrd & portd);
         Levels {
-            outputs: high_d >> 6 | (high_b & 0x03) << 2,
-            is_output: ddrd >> 6 | (ddrb & 0x03) << 2,
+            outputs: (high_d >> 6 | (high_b & 0x03) << 2).into(),
+            is_output: (ddrd >> 6 | (ddrb & 0x03) << 2).into(),
             direction: ddrc & portc & 0x10 != 0,
             // While the SPI is on, D13 is its clock, which rests low in mode 0; single clocks are not recorded.
             led: high_b & 0x20 != 0 && spi_on == 0,
@@ -70,9 +98,9 @@ impl PinRegisters {
 #[derive(Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Levels {
     /// Bit n: output n.
-    pub outputs: u8,
+    pub outputs: u32,
     /// Bit n: the pin of output n is driven.
-    pub is_output: u8,
+    pub is_output: u32,
     /// A4 is driven high.
     pub direction: bool,
     pub led: bool,
@@ -84,7 +112,7 @@ impl Levels {
     /// The edges that lead from `self` to `next`.
     pub fn edges_to(self, next: Levels, cycle: u64) -> impl Iterator<Item = Edge> {
         let changed = self.outputs ^ next.outputs;
-        let outputs = (0..OUTPUTS as u8)
+        let outputs = (0..u32::BITS as u8)
             .filter(move |n| changed >> n & 1 == 1)
             .map(move |n| Edge {
                 cycle,

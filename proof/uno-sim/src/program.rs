@@ -3,6 +3,7 @@
 //! The tools for AVR keep the address spaces apart by an offset: flash from 0, data space from 0x80_0000, EEPROM from
 //! 0x81_0000, fuses and the rest beyond.
 
+use crate::chip::Chip;
 use std::collections::BTreeMap;
 
 /// Flash of the ATmega328P, bytes.
@@ -43,9 +44,11 @@ pub struct Symbol {
     pub size: u32,
 }
 
-/// A program for the ATmega328P.
+/// A program for a [`Chip`].
 #[derive(Clone, Debug)]
 pub struct Program {
+    /// What it is for.
+    pub(crate) chip: Chip,
     /// Flash from address 0, code and the start values of `.data`.
     pub(crate) flash: Vec<u8>,
     /// EEPROM from address 0, where the file fills it.
@@ -63,6 +66,7 @@ impl Program {
     /// No program, for a chip with so much flash.
     pub(crate) fn empty(flash_len: usize) -> Program {
         Program {
+            chip: Chip::Atmega328p,
             flash: Vec::new(),
             eeprom: Vec::new(),
             symbols: BTreeMap::new(),
@@ -78,7 +82,7 @@ impl Program {
     /// If that is not all of the EEPROM.
     pub fn with_eeprom(self, eeprom: Vec<u8>) -> Result<Program, usize> {
         match eeprom.len() {
-            EEPROM_LEN => Ok(Program { eeprom, ..self }),
+            len if len == self.chip.eeprom_len() => Ok(Program { eeprom, ..self }),
             other => Err(other),
         }
     }
@@ -90,6 +94,11 @@ impl Program {
             flash: words.iter().flat_map(|word| word.to_le_bytes()).collect(),
             ..Program::empty(FLASH_LEN)
         }
+    }
+
+    /// The chip that it is for.
+    pub fn chip(&self) -> Chip {
+        self.chip
     }
 
     /// The symbol of this name, as the file spells it.
@@ -121,14 +130,15 @@ impl Program {
     pub(crate) fn load(&mut self, address: u32, bytes: &[u8]) -> Result<(), String> {
         let (memory, len, name) = match locate(address) {
             Some((Space::Flash, _)) => (&mut self.flash, self.flash_len, "flash"),
-            Some((Space::Eeprom, _)) => (&mut self.eeprom, EEPROM_LEN, "EEPROM"),
+            Some((Space::Eeprom, _)) => (&mut self.eeprom, self.chip.eeprom_len(), "EEPROM"),
             Some((Space::Data, _)) => {
                 return Err("a segment would have to be loaded into RAM".into());
             }
             // Fuses, lock bits, signature: nothing to load.
             None => return Ok(()),
         };
-        let start = (address & 0xFFFF) as usize;
+        let start =
+            (address & (DATA - 1)) as usize & if address < DATA { usize::MAX } else { 0xFFFF };
         let end = start + bytes.len();
         if end > len || address < DATA && address as usize >= len {
             return Err(format!(

@@ -5,6 +5,11 @@
 
 use crate::avr::reg;
 
+/// Timers 3, 4 and 5 of the ATmega2560, control A.
+const TCCR3A: u16 = 0x90;
+const TCCR4A: u16 = 0xA0;
+const TCCR5A: u16 = 0x120;
+
 /// The pulses on a pin. A new value that the program has written counts at once, where the chip waits for the next pulse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pwm {
@@ -28,6 +33,24 @@ impl Pwm {
         // WGM0: mode 3.
         let top = (control_a & 3 == 3 && control_b & 8 == 0).then_some(0xFF)?;
         pulses(control_a, control_b, compare, top)
+    }
+
+    /// That on an output of a Mega, from 0, by timers 3, 4 and 5, from data space.
+    pub(crate) fn of_mega(data: &[u8], output: usize) -> Option<Pwm> {
+        let (control, unit) = match output {
+            3 => (TCCR3A, 0),
+            0 => (TCCR3A, 1),
+            1 => (TCCR3A, 2),
+            4..=6 => (TCCR4A, output as u16 - 4),
+            11..=13 => (TCCR5A, output as u16 - 11),
+            _ => return None,
+        };
+        let (control_a, control_b) = (register(data, control), register(data, control + 1));
+        // WGM: mode 5.
+        let top = (control_a & 3 == 1 && control_b & 0x18 == 8).then_some(0xFF)?;
+        // OCRnA stands 8 bytes after TCCRnA.
+        let compare = register_pair(data, control + 8 + 2 * unit);
+        pulses(control_a << (2 * unit), control_b, compare, top)
     }
 
     /// That of timer 1 on D9 (OC1A), from data space.

@@ -15,10 +15,12 @@ pub enum Model {
     Nano,
     /// The Arduino Nano with the boot loader that it had until 2018.
     NanoOld,
+    /// The Arduino Mega 2560. Its boot loader speaks another protocol, which this crate does not know yet.
+    Mega,
 }
 
 impl Model {
-    /// All of them.
+    /// All that a firmware can be written to.
     pub const ALL: [Model; 3] = [Model::Uno, Model::Nano, Model::NanoOld];
 
     /// As the command line names it.
@@ -27,6 +29,7 @@ impl Model {
             Model::Uno => "uno",
             Model::Nano => "nano",
             Model::NanoOld => "nano-old",
+            Model::Mega => "mega",
         }
     }
 
@@ -40,13 +43,14 @@ impl Model {
         match self {
             Model::Uno => Model::Uno,
             Model::Nano | Model::NanoOld => Model::Nano,
+            Model::Mega => Model::Mega,
         }
     }
 
     /// Bits per second that its boot loader speaks.
     pub const fn rate(self) -> u32 {
         match self {
-            Model::Uno | Model::Nano => 115_200,
+            Model::Uno | Model::Nano | Model::Mega => 115_200,
             Model::NanoOld => 57_600,
         }
     }
@@ -57,6 +61,7 @@ impl Model {
         match self {
             Model::Uno => 32_256,
             Model::Nano | Model::NanoOld => 30_720,
+            Model::Mega => 253_952,
         }
     }
 }

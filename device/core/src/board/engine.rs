@@ -15,6 +15,9 @@ pub struct Engine {
     pub links: bool,
     /// Inputs 01 to this number take one byte of a linked form, those beyond two.
     pub fast_inputs: u8,
+    /// Outputs 01 to this number take one byte of a linked form, those beyond two, as markers do. Where all do, it is
+    /// [`MARKER_TARGET`].
+    pub fast_outputs: u8,
     /// Registers D 01 to this number are always there; those beyond take run memory, 4 bytes each up to the highest that
     /// is named (NC-27).
     pub near_registers: u8,
@@ -37,12 +40,13 @@ impl Engine {
         }),
         links: false,
         fast_inputs: u8::MAX,
+        fast_outputs: MARKER_TARGET,
         near_registers: REGISTERS,
     };
 
     /// Bytes of run memory of an instruction, its data among them. More for what [`line_bytes`](Engine::line_bytes) and
     /// [`operand_bytes`](Engine::operand_bytes) tell; of one that links, one for inputs beyond
-    /// [`fast_inputs`](Engine::fast_inputs), two for a store to a register beyond
+    /// [`fast_inputs`](Engine::fast_inputs) and outputs beyond [`fast_outputs`](Engine::fast_outputs), two for a store to a register beyond
     /// [`near_registers`](Engine::near_registers); and each counter's data.
     pub const fn run_bytes(&self, opcode: Opcode) -> u8 {
         packed_run_bytes(&self.rows, opcode)
@@ -69,7 +73,7 @@ impl Engine {
         match line {
             _ if !self.links => 0,
             Line::Step => 1,
-            Line::Target if stored >= MARKER_TARGET => 1,
+            Line::Target if stored >= self.fast_outputs => 1,
             _ => 0,
         }
     }

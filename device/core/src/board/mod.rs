@@ -5,6 +5,8 @@
 
 mod engine;
 mod facts;
+#[cfg(any(not(target_arch = "avr"), mega))]
+mod mega;
 #[cfg(not(target_arch = "avr"))]
 mod pc;
 mod uno;
@@ -52,7 +54,7 @@ pub struct Board {
 impl Board {
     /// Every board.
     #[cfg(not(target_arch = "avr"))]
-    pub const ALL: [Board; 3] = [Board::UNO, Board::NANO, Board::PC];
+    pub const ALL: [Board; 4] = [Board::UNO, Board::NANO, Board::MEGA, Board::PC];
 
     /// The board that is named so.
     #[cfg(not(target_arch = "avr"))]
@@ -66,6 +68,7 @@ impl Board {
         match *self {
             Board::UNO => "uno",
             Board::NANO => "nano",
+            Board::MEGA => "mega",
             _ => "pc",
         }
     }

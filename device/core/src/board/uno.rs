@@ -2,7 +2,7 @@
 
 use super::{Board, Engine};
 use crate::Image;
-use crate::isa::{Opcode, TABLE, packed_rows};
+use crate::isa::{MARKER_TARGET, Opcode, TABLE, packed_rows};
 
 /// Hands the rows of the engine of `firmware/` to a macro, in the order of the
 /// [instruction table](crate::isa::TABLE). What stands after the macro's name comes before the rows.
@@ -138,13 +138,13 @@ macro_rules! uno_engine {
 macro_rules! run_bytes {
     ($($name:ident $run:literal $handler:ident;)*) => {
         /// A match without a wildcard: the compiler names an instruction that has no row here.
-        const fn run_bytes(opcode: Opcode) -> u8 {
+        pub(super) const fn run_bytes(opcode: Opcode) -> u8 {
             match opcode {
                 $(Opcode::$name => $run,)*
             }
         }
 
-        const ROWS: &[Opcode] = &[$(Opcode::$name,)*];
+        pub(super) const ROWS: &[Opcode] = &[$(Opcode::$name,)*];
     };
 }
 uno_engine!(run_bytes);
@@ -168,6 +168,7 @@ impl Engine {
         }),
         links: true,
         fast_inputs: 4,
+        fast_outputs: MARKER_TARGET,
         near_registers: 32,
     };
 }
@@ -203,7 +204,7 @@ impl Board {
 }
 
 /// The firmware has room for just these.
-#[cfg(target_arch = "avr")]
+#[cfg(all(target_arch = "avr", not(mega)))]
 const _: () = {
     use crate::width::{ANALOGUE, INPUTS, LABELS};
     let board = Board::UNO;

@@ -1,15 +1,15 @@
-//! How points are stored: in the byte of their row, or beyond 16 in two bytes. No board with a firmware has the latter, nor
-//! outputs above 64 that a timer drives: what is compiled for one has nothing of them.
+//! How points are stored: in the byte of their row, or beyond 16 in two bytes. The UNO has none of the latter, and no board
+//! with a firmware has outputs above 64 that a timer drives: what is compiled for one has nothing of them.
 //!
 //! A row whose byte holds a point names the others in two bytes: one of its own, then XX. Those of its own are the
 //! bytes that would store the branch points 09 to 15, which no rung has.
 
 use super::{BEHIND_POINTS, FIRST_POINT};
 
-#[cfg(not(target_arch = "avr"))]
+#[cfg(any(not(target_arch = "avr"), mega))]
 pub(crate) use wide::{far_row, holds_number, is_far, near_row};
 
-#[cfg(target_arch = "avr")]
+#[cfg(all(target_arch = "avr", not(mega)))]
 pub(crate) use narrow::{far_row, holds_number, is_far, near_row};
 
 #[cfg(not(target_arch = "avr"))]
@@ -29,15 +29,18 @@ pub const fn holds_point(byte: u8) -> bool {
     byte >= FIRST_POINT && byte < BEHIND_POINTS && !is_far(byte)
 }
 
-#[cfg(not(target_arch = "avr"))]
+#[cfg(any(not(target_arch = "avr"), mega))]
 mod wide {
     use super::holds_point;
-    use crate::isa::{FIRST_POINT, MARKER_TARGET, POINTS};
+    #[cfg(not(target_arch = "avr"))]
+    use crate::isa::MARKER_TARGET;
+    use crate::isa::{FIRST_POINT, POINTS};
 
     /// The first byte of the first row's points above 16, and the first after those of the last row, a reset coil's.
     const FAR: u8 = 0x88;
     const BEHIND_FAR: u8 = 0x8F;
     /// A stored target of a timer from this byte on is an output above 64.
+    #[cfg(not(target_arch = "avr"))]
     const FAR_TARGET: u8 = 0xC0;
 
     /// Whether a first stored byte is that of a point above 16, which follows it.
@@ -67,6 +70,7 @@ mod wide {
     }
 
     /// How the output with this number is stored as a timer's target; of none that exists, for 00.
+    #[cfg(not(target_arch = "avr"))]
     pub(crate) const fn stored_target(xx: u8) -> u8 {
         match xx {
             0 => FAR_TARGET - MARKER_TARGET + 99,
@@ -76,6 +80,7 @@ mod wide {
     }
 
     /// The index of the output above 64 that is stored so as a timer's target; none of a marker and of another output.
+    #[cfg(not(target_arch = "avr"))]
     pub(crate) const fn far_output(stored: u8) -> Option<u8> {
         match stored.checked_sub(FAR_TARGET) {
             Some(index) => Some(index + MARKER_TARGET),
@@ -84,7 +89,7 @@ mod wide {
     }
 }
 
-#[cfg(target_arch = "avr")]
+#[cfg(all(target_arch = "avr", not(mega)))]
 mod narrow {
     use super::holds_point;
 

@@ -36,8 +36,10 @@ mod table;
 
 pub use class::Class;
 pub use far::holds_point;
+#[cfg(any(not(target_arch = "avr"), mega))]
+pub(crate) use far::is_far;
 #[cfg(not(target_arch = "avr"))]
-pub(crate) use far::{far_output, is_far, stored_target};
+pub(crate) use far::{far_output, stored_target};
 pub(crate) use far::{far_row, first_of, holds_number, near_row};
 pub use instruction::{Instruction, Operand, Value};
 pub use kind::{Kind, Line};

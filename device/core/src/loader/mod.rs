@@ -262,7 +262,7 @@ impl<'m, F: Facts> Loader<'m, F> {
         } else {
             0
         };
-        #[cfg(not(target_arch = "avr"))]
+        #[cfg(any(not(target_arch = "avr"), mega))]
         if isa::is_far(byte) && (xx <= isa::POINTS || !self.has_far_points()) {
             // What has fewer points knows the byte as that of a branch point.
             return Err(Cause::NoSuchBranchPoint);
@@ -290,7 +290,7 @@ impl<'m, F: Facts> Loader<'m, F> {
     }
 
     /// Whether the board has points that no byte of their row holds.
-    #[cfg(not(target_arch = "avr"))]
+    #[cfg(any(not(target_arch = "avr"), mega))]
     fn has_far_points(&self) -> bool {
         let board = self.facts.board();
         board.inputs.max(board.outputs) > isa::POINTS

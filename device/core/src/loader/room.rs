@@ -125,6 +125,11 @@ impl<'m> Room<'m> {
             let rung = stored == Opcode::NewRung as u8 || stored == Opcode::Else as u8;
             return if rung && before >= COIL { run - 1 } else { run };
         }
+        // The UNO has no such outputs.
+        #[cfg(any(not(target_arch = "avr"), mega))]
+        if kind == Kind::Output && xx > engine.fast_outputs {
+            return run + 1;
+        }
         if (isa::FIRST_POINT..Opcode::Coil as u8).contains(&stored) {
             if kind == Kind::Input && xx > engine.fast_inputs {
                 return run + 1;
@@ -151,10 +156,10 @@ impl<'m> Room<'m> {
 
     /// What a timer drives, as it is stored.
     pub(super) fn target(&mut self, stored: u8) -> Result<(), Cause> {
-        if stored < isa::MARKER_TARGET {
+        let engine = self.held.board().engine;
+        if stored < engine.fast_outputs {
             self.behind = COIL;
         }
-        let engine = self.held.board().engine;
         self.reserve(0, engine.line_bytes(Line::Target, stored))
     }
 

@@ -20,7 +20,7 @@ fn each_board_is_found_by_its_name() {
         assert_eq!(Board::named(board.id()), Some(board));
         assert_eq!(board.id(), board.name.to_ascii_lowercase());
     }
-    assert_eq!(Board::named("mega"), None);
+    assert_eq!(Board::named("leonardo"), None);
 }
 
 /// Points 01 to 16 stay in one byte. The others take two, of which the first stores none of a board's instructions.

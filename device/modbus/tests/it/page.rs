@@ -1,11 +1,12 @@
 //! `docs/modbus.md` says what the map says, row by row.
 
+use unoclp_core::Board;
 use unoclp_modbus::eeprom::program::{VERSION, head};
 use unoclp_modbus::map::{
-    ALL, BLOCK_BYTES, Command, NANO, PRODUCT, Rights, Span, State, VENDOR, Width, cause, coil,
-    flag, form, holding, input, setting,
+    ALL, BLOCK_BYTES, Command, MEGA, NANO, PRODUCT, Rights, Span, State, VENDOR, Width, cause,
+    coil, flag, form, holding, input, setting,
 };
-use unoclp_modbus::{Exception, Table};
+use unoclp_modbus::{Exception, Table, map};
 
 const PAGE: &str = include_str!("../../../../docs/modbus.md");
 const TRANSLATION: &str = include_str!("../../../../docs/modbus.pt-BR.md");
@@ -73,8 +74,38 @@ fn the_page_has_every_address_and_no_other() {
     }
 }
 
+/// What a Mega has that an UNO has not, or more of.
+#[test]
+fn the_page_has_what_a_mega_has_more() {
+    let more = map::of(&Board::MEGA).filter(|span| !ALL.contains(span));
+    let here: Vec<_> = more.map(|span| (span.table, addresses(span))).collect();
+    let rows = rows("The Arduino Mega 2560");
+    for (table, addresses) in here {
+        let name = match table {
+            Table::Coils => "coils",
+            Table::DiscreteInputs => "discrete inputs",
+            Table::InputRegisters => "input registers",
+            Table::HoldingRegisters => "holding registers",
+        };
+        let is_there = rows.iter().any(|row| row[0] == addresses && row[1] == name);
+        assert!(is_there, "{name} {addresses}: {rows:?}");
+    }
+    // All else is the UNO's, where it was.
+    for span in ALL {
+        let same = map::of(&Board::MEGA)
+            .find(|other| other.name == span.name && other.first == span.first);
+        let same = same.unwrap();
+        assert!(
+            same.addresses() >= span.addresses() && same.table == span.table,
+            "{span:?}"
+        );
+    }
+    assert!(map::of(&Board::UNO).eq(ALL.iter().copied()));
+}
+
 /// Its headings, and their translations.
-const TRANSLATED: [(&str, &str); 7] = [
+const TRANSLATED: [(&str, &str); 8] = [
+    ("The Arduino Mega 2560", "O Arduino Mega 2560"),
     ("Coils and discrete inputs", "Bobinas e entradas discretas"),
     ("Input registers", "Registradores de entrada"),
     ("Holding registers", "Registradores de retenção"),
@@ -224,7 +255,7 @@ fn the_page_has_the_window_and_the_stored_form() {
     let only = format!("only function 16 from {} on", holding::UPLOAD.first);
     assert!(window[1].contains(&only), "{window:?}");
 
-    let products = format!("product `{PRODUCT}` or `{NANO}`");
+    let products = format!("product `{PRODUCT}`, `{NANO}` or `{MEGA}`");
     assert!(PAGE.contains(&format!("vendor `{VENDOR}`, {products}")));
 
     let sum = &row("Input registers", &addresses(input::PROGRAM_SUM))[2];

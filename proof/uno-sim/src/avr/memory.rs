@@ -1,7 +1,6 @@
 //! Registers, RAM and flash of the chip, as they stand.
 
 use super::Avr;
-use crate::program::RAM_END;
 use simavr_ffi as ffi;
 use std::ptr::NonNull;
 
@@ -19,8 +18,9 @@ impl Avr {
     /// `avr` is an initialised chip, and nothing else writes to it at this moment.
     #[inline]
     pub unsafe fn register_of(avr: NonNull<ffi::avr_t>, address: u16) -> u8 {
-        debug_assert!(u32::from(address) <= RAM_END);
-        // SAFETY: `data` has RAM_END + 1 bytes; callers name one of the constants in `reg`.
+        // SAFETY: the caller's; plain value.
+        debug_assert!(address <= unsafe { (*avr.as_ptr()).ramend });
+        // SAFETY: `data` has RAMEND + 1 bytes; callers name one of the constants in `reg`.
         unsafe { *(*avr.as_ptr()).data.add(usize::from(address)) }
     }
 
@@ -29,7 +29,8 @@ impl Avr {
     /// # Safety
     /// See [`Avr::register_of`].
     pub unsafe fn set_register_of(avr: NonNull<ffi::avr_t>, address: u16, value: u8) {
-        debug_assert!(u32::from(address) <= RAM_END);
+        // SAFETY: the caller's; plain value.
+        debug_assert!(address <= unsafe { (*avr.as_ptr()).ramend });
         // SAFETY: as in `register_of`.
         unsafe { *(*avr.as_ptr()).data.add(usize::from(address)) = value };
     }
@@ -37,7 +38,7 @@ impl Avr {
     /// The bytes of data space from this address on.
     #[inline]
     pub fn eight_registers(&self, address: u16) -> [u8; 8] {
-        debug_assert!(u32::from(address) + 7 <= RAM_END);
+        debug_assert!(u32::from(address) + 7 <= self.chip().ram_end());
         // SAFETY: as in `register_of`, for eight bytes; they need not be aligned.
         unsafe {
             let data = (*self.avr.as_ptr()).data.add(usize::from(address));
@@ -50,16 +51,20 @@ impl Avr {
         self.data_mut()[usize::from(address)] = value;
     }
 
+    fn data_len(&self) -> usize {
+        self.chip.ram_end() as usize + 1
+    }
+
     /// Data space, 0 to RAMEND: registers, then RAM.
     pub fn data(&self) -> &[u8] {
-        // SAFETY: simavr has allocated RAM_END + 1 bytes, which live as long as `self`; nothing writes meanwhile.
-        unsafe { std::slice::from_raw_parts((*self.avr.as_ptr()).data, RAM_END as usize + 1) }
+        // SAFETY: simavr has allocated RAMEND + 1 bytes, which live as long as `self`; nothing writes meanwhile.
+        unsafe { std::slice::from_raw_parts((*self.avr.as_ptr()).data, self.data_len()) }
     }
 
     /// Data space for writing.
     pub fn data_mut(&mut self) -> &mut [u8] {
         // SAFETY: see `data`; `&mut self` keeps everybody else out.
-        unsafe { std::slice::from_raw_parts_mut((*self.avr.as_ptr()).data, RAM_END as usize + 1) }
+        unsafe { std::slice::from_raw_parts_mut((*self.avr.as_ptr()).data, self.data_len()) }
     }
 
     /// Puts a program into flash, from address 0.

@@ -10,6 +10,7 @@ mod wait;
 mod wires;
 
 use crate::Error;
+use crate::chip::Chip;
 pub use quick::Far;
 use simavr_ffi as ffi;
 use std::ptr::NonNull;
@@ -39,13 +40,20 @@ unsafe extern "C" {
 /// The simulated chip.
 pub struct Avr {
     avr: NonNull<ffi::avr_t>,
+    chip: Chip,
 }
 
 impl Avr {
-    /// A chip fresh from the factory, just powered, with this many bytes of flash.
+    /// An ATmega328P fresh from the factory, just powered, with this many bytes of flash.
+    #[cfg(test)]
     pub fn new(flash_len: usize) -> Result<Avr, Error> {
+        Avr::of(Chip::Atmega328p, flash_len)
+    }
+
+    /// Any chip likewise.
+    pub fn of(chip: Chip, flash_len: usize) -> Result<Avr, Error> {
         // SAFETY: the name is a C string; simavr copies nothing of it.
-        let avr = unsafe { ffi::avr_make_mcu_by_name(c"atmega328p".as_ptr()) };
+        let avr = unsafe { ffi::avr_make_mcu_by_name(chip.name().as_ptr()) };
         let avr = NonNull::new(avr).ok_or(Error::Simavr("it was built without this chip"))?;
         // SAFETY: `avr` is a chip that simavr has just allocated and that nobody else knows. The field is a plain
         // value, by which `avr_init` allocates the flash.
@@ -53,7 +61,7 @@ impl Avr {
             (*avr.as_ptr()).flashend = flash_len as u32 - 1;
             ffi::avr_init(avr.as_ptr())
         };
-        let avr = Avr { avr };
+        let avr = Avr { avr, chip };
         if status != 0 {
             return Err(Error::Simavr("avr_init failed"));
         }
@@ -189,6 +197,11 @@ impl Avr {
     pub fn interrupts_on(&self) -> bool {
         // SAFETY: see `pc`.
         unsafe { (*self.avr.as_ptr()).sreg[7] != 0 }
+    }
+
+    /// Which chip it is.
+    pub fn chip(&self) -> Chip {
+        self.chip
     }
 
     /// The chip itself, for callbacks.

@@ -1,11 +1,7 @@
 //! Data addresses of the registers that are looked at from outside (ATmega328P datasheet, section 30).
 
-/// Port B (D8 to D13), direction.
+/// Port B (D8 to D13), direction; each port's output register follows its direction register.
 pub const DDRB: u16 = 0x24;
-/// Port C (A0 to A5), direction.
-pub const DDRC: u16 = 0x27;
-/// Port D (D0 to D7), direction; each port's output register follows its direction register.
-pub const DDRD: u16 = 0x2A;
 /// EEPROM control register.
 pub const EECR: u16 = 0x3F;
 /// EEPROM data register.

@@ -43,15 +43,9 @@ impl Avr {
         unsafe { self.ioctl([b'i', b'o', b'p', port], (&raw mut external).cast()) };
     }
 
-    /// Takes the compare units of timers 0 and 1 off their pins, to which simavr connects them at each reset.
+    /// Takes the compare units of the timers off their pins, to which simavr connects them at each reset.
     pub fn unwire_timers(&mut self) -> Result<(), Error> {
-        // D6 and D5, D9 and D10.
-        for (timer, unit, port, pin) in [
-            (*b"tmr0", 0, *b"iogD", 6),
-            (*b"tmr0", 1, *b"iogD", 5),
-            (*b"tmr1", 0, *b"iogB", 1),
-            (*b"tmr1", 1, *b"iogB", 2),
-        ] {
+        for &(timer, unit, port, pin) in self.chip().wired_units() {
             let from = self.irq(timer, ffi::TIMER_IRQ_OUT_COMP + unit)?;
             let to = self.irq(port, pin)?;
             // SAFETY: both are IRQs of this chip.

@@ -1,23 +1,40 @@
 //! Where the firmware keeps what scenarios look at and set.
 
 use super::error::EngineError;
-use crate::{Program, Space};
+use crate::{Chip, Program, Space};
 
 /// Where the firmware keeps what scenarios look at and set: in `PAGE`, from there so many bytes on
 /// (`firmware/src/engine/data.rs`).
 #[derive(Clone, Copy)]
 pub(super) struct Memory {
     page: Option<u32>,
+    places: Places,
 }
 
-/// The data of the program, which ends where the page does, so that registers go on after it.
-const DATA: u32 = 512 - 227;
-/// Two bytes for each reading of an analogue input, A 00 first.
-const READINGS: u32 = DATA + 17;
-/// A byte for each marker, M 01 first; its highest bit counts.
-const MARKERS: u32 = DATA + 35;
-/// Four bytes for each register, D 01 first.
-const REGISTERS: u32 = DATA + 99;
+/// Where the data of the program begins, and in it the readings of analogue inputs, two bytes each, A 00 first; the
+/// markers, a byte each, M 01 first; and the registers, four bytes each, D 01 first. The data ends where the page does, so
+/// that registers go on after it.
+#[derive(Clone, Copy)]
+struct Places {
+    readings: u32,
+    markers: u32,
+    registers: u32,
+}
+
+impl Places {
+    const fn of(bytes: u32, readings: u32, markers: u32, registers: u32) -> Places {
+        let data = 512 - bytes;
+        Places {
+            readings: data + readings,
+            markers: data + markers,
+            registers: data + registers,
+        }
+    }
+}
+
+const UNO: Places = Places::of(227, 17, 35, 99);
+const MEGA: Places = Places::of(273, 16, 81, 145);
+
 /// A marker that is 1.
 pub(super) const ON: u8 = 0x80;
 
@@ -27,22 +44,26 @@ impl Memory {
         let page = page.filter(|symbol| symbol.space == Space::Data);
         Memory {
             page: page.map(|symbol| symbol.address),
+            places: match program.chip() {
+                Chip::Atmega328p => UNO,
+                Chip::Atmega2560 => MEGA,
+            },
         }
     }
 
     /// The reading of analogue input A 00.
     pub fn readings(self) -> Result<u32, EngineError> {
-        self.at(READINGS)
+        self.at(self.places.readings)
     }
 
     /// This marker, from 1.
     pub fn marker(self, number: u8) -> Result<u32, EngineError> {
-        self.at(MARKERS + u32::from(number) - 1)
+        self.at(self.places.markers + u32::from(number) - 1)
     }
 
     /// This register, from 1.
     pub fn register(self, number: u8) -> Result<u32, EngineError> {
-        self.at(REGISTERS + 4 * (u32::from(number) - 1))
+        self.at(self.places.registers + 4 * (u32::from(number) - 1))
     }
 
     /// The address of this place in the page.

@@ -6,6 +6,7 @@ mod memory;
 mod simulated;
 mod told;
 
+use crate::inputs::MOST_ANALOGUE;
 use crate::{CYCLES_PER_MS, Halt, Program, Slot, Space, Uno};
 pub use error::EngineError;
 use memory::{Memory, ON};
@@ -55,7 +56,7 @@ pub struct FirmwareEngine<S> {
     /// The highest register that the program has: the memory after it is another's.
     registers: u8,
     /// Which analogue inputs have been set to other than 0: to set one is to drive its pin.
-    analogue: [bool; Board::UNO.analogue as usize],
+    analogue: [bool; MOST_ANALOGUE],
     uno: Option<S>,
     /// What the running clock will read after the tick that the board stands at.
     next: Option<Millis>,
@@ -75,17 +76,22 @@ impl<S: Simulated> FirmwareEngine<S> {
         };
         Ok(FirmwareEngine {
             scan: symbol("scan_begin", Space::Flash)?,
-            tick: symbol("__vector_13", Space::Flash)?,
+            tick: symbol(program.chip().tick(), Space::Flash)?,
             millis: symbol("MILLIS", Space::Data)?,
             age: symbol("AGE", Space::Data)?,
             memory: Memory::of(&program),
-            registers: Board::UNO.engine.near_registers,
+            registers: program.chip().board().engine.near_registers,
             analogue: Default::default(),
             program,
             clock,
             uno: None,
             next: None,
         })
+    }
+
+    /// What the board has that the firmware is for.
+    pub fn board(&self) -> Board {
+        self.program.chip().board()
     }
 
     /// Follows the start-up of a board that has just got its power.
@@ -104,7 +110,7 @@ impl<S: Simulated> FirmwareEngine<S> {
             }
         };
         if refusal.is_some() {
-            uno.set_inputs(0xFF);
+            uno.set_inputs(u32::MAX);
             let run = uno.run_cycles(WATCH * CYCLES_PER_MS);
             run.map_err(|halt| told(uno, halt))?;
         } else if !uno.serial().ends_with(b"RUN\r\n") {
@@ -144,12 +150,14 @@ impl<S: Simulated> FirmwareEngine<S> {
     /// readings that it will give are put where the firmware keeps them.
     fn set_inputs(&mut self, inputs: &Inputs) -> Result<(), EngineError> {
         let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
-        uno.set_inputs(inputs.points.0 as u8);
+        uno.set_inputs(inputs.points.0 as u32);
         if inputs.analogue == Inputs::default().analogue && !self.analogue.contains(&true) {
             return Ok(());
         }
         let readings = self.memory.readings()?;
+        let most = self.program.chip().board().analogue;
         let channels = inputs.analogue.iter().zip(&mut self.analogue);
+        let channels = channels.take(most.into());
         for (index, (&reading, driven)) in channels.enumerate() {
             *driven |= reading != 0;
             if *driven {
@@ -198,15 +206,15 @@ impl UnoEngine {
 }
 
 /// The highest register that a program has.
-fn registers(file: &[u8]) -> u8 {
-    let mut memory = [0; Board::UNO.linked_bytes as usize];
-    let mut loader = Loader::new(&mut memory, Board::UNO);
+fn registers(file: &[u8], board: Board) -> u8 {
+    let mut memory = vec![0; board.linked_bytes.into()];
+    let mut loader = Loader::new(&mut memory, board);
     for &byte in file {
         // A fault is the board's to tell.
         let _ = loader.push(byte);
     }
     let program = loader.finish();
-    program.map_or(Board::UNO.engine.near_registers, |program| {
+    program.map_or(board.engine.near_registers, |program| {
         program.registers() as u8
     })
 }
@@ -219,7 +227,7 @@ impl<S: Simulated> Engine for FirmwareEngine<S> {
             .file("PROGRAM.TXT", file)
             .build()?;
         self.analogue = Default::default();
-        self.registers = registers(file);
+        self.registers = registers(file, self.program.chip().board());
         self.uno = Some(S::powered(&self.program, image, self.uno.take())?);
         self.follow_start()
     }

@@ -51,7 +51,7 @@ pub trait Simulated: Sized {
     fn write_ram(&mut self, address: u32, bytes: &[u8]) -> Result<(), Error>;
 
     /// Closes the buttons whose bits are set (bit n: input n + 1) and opens the others.
-    fn set_inputs(&mut self, closed: u8);
+    fn set_inputs(&mut self, closed: u32);
 
     /// Turns the potentiometer at analogue input `index` to where the converter reads this.
     fn set_reading(&mut self, index: usize, reading: u16);
@@ -66,7 +66,7 @@ pub trait Simulated: Sized {
     fn take_serial(&mut self) -> Vec<u8>;
 
     /// Bit n: output n + 1 is on.
-    fn outputs(&self) -> u8;
+    fn outputs(&self) -> u32;
 
     /// An output, from 0, whose level has changed since the power came.
     fn moved_output(&self) -> Option<u8>;
@@ -111,8 +111,8 @@ impl Simulated for Uno {
         Uno::write_ram(self, address, bytes)
     }
 
-    fn set_inputs(&mut self, closed: u8) {
-        Uno::set_inputs(self, closed);
+    fn set_inputs(&mut self, closed: u32) {
+        self.set_all_inputs(closed);
     }
 
     fn set_reading(&mut self, index: usize, reading: u16) {
@@ -131,8 +131,8 @@ impl Simulated for Uno {
         Uno::take_serial(self)
     }
 
-    fn outputs(&self) -> u8 {
-        Uno::outputs(self)
+    fn outputs(&self) -> u32 {
+        self.all_outputs()
     }
 
     fn moved_output(&self) -> Option<u8> {

@@ -1,8 +1,9 @@
 //! Around the chip: inputs, outputs and card slot.
 
 use super::{Slot, Uno};
-use crate::avr::{Irq, reg};
-use crate::inputs::{ANALOGUE_INPUTS, Analogue, Driven, FIRST_D, INPUTS};
+use crate::avr::Irq;
+use crate::chip::Chip;
+use crate::inputs::{Analogue, Driven, INPUTS};
 use crate::pins::Edge;
 use crate::pwm::Pwm;
 use crate::sd::SdCard;
@@ -23,13 +24,18 @@ impl Uno {
 
     /// Closes the buttons whose bits are set (bit n: input n) and opens the others.
     pub fn set_inputs(&mut self, closed: u8) {
+        self.set_all_inputs(closed.into());
+    }
+
+    /// The same of a board with more of them.
+    pub fn set_all_inputs(&mut self, closed: u32) {
         self.wired.inputs.closed = closed;
         self.apply_inputs();
     }
 
     /// The buttons that are closed: bit n is input n.
     pub fn inputs(&self) -> u8 {
-        self.wired.inputs.closed
+        self.wired.inputs.closed as u8
     }
 
     /// Connects analogue input `index`, 0 to 4 (points 01 to 05, pins A0 to A4) to something; at first it is open. A
@@ -39,8 +45,8 @@ impl Uno {
     /// Where `index` is above 4, or a reading above 1023.
     pub fn set_analogue(&mut self, index: usize, analogue: Analogue) {
         assert!(
-            index < ANALOGUE_INPUTS,
-            "analogue input {index}: there are inputs 0 to 4"
+            index < usize::from(self.chip().board().analogue),
+            "analogue input {index}: there are fewer"
         );
         if let Analogue::Reading(reading) = analogue {
             assert!(reading <= 1023, "the converter never reads {reading}");
@@ -63,6 +69,11 @@ impl Uno {
 
     /// The outputs that are on, from DDR and PORT: bit n is output n (points 01 to 04, pins D6 to D9).
     pub fn outputs(&self) -> u8 {
+        self.levels.outputs as u8
+    }
+
+    /// The same of a board with more of them.
+    pub fn all_outputs(&self) -> u32 {
         self.levels.outputs
     }
 
@@ -71,6 +82,7 @@ impl Uno {
     /// for the others always.
     pub fn pwm(&self, index: usize) -> Option<Pwm> {
         let pwm = match index {
+            _ if self.chip() == Chip::Atmega2560 => Pwm::of_mega(self.avr.data(), index),
             0 => Pwm::of_timer_0(self.avr.data()),
             3 => Pwm::of_timer_1(self.avr.data()),
             _ => None,
@@ -125,20 +137,20 @@ impl Uno {
 
     /// Puts the levels of the inputs on the pins.
     pub(super) fn apply_inputs(&mut self) {
-        let (d, c) = (self.wired.inputs.port_d(), self.wired.inputs.port_c());
-        for (pin, irq) in (FIRST_D..).zip(self.irqs_d) {
-            self.apply(reg::DDRD, d, pin, irq);
-        }
-        for (pin, irq) in (0..).zip(self.irqs_c) {
-            self.apply(reg::DDRC, c, pin, irq);
+        let chip = self.chip();
+        for (port, ddr, driven) in chip.input_ports(&self.wired.inputs) {
+            for &(_, pin, irq) in self.irqs.iter().filter(|(at, _, _)| *at == port) {
+                self.apply(ddr, driven, pin, irq);
+            }
         }
         // simavr raises the pull-ups again on each write to PORT or DDR, unless it knows of a level from outside.
-        self.avr.set_external(b'D', d.mask, d.levels);
-        self.avr.set_external(b'C', c.mask, c.levels);
+        for (port, _, driven) in chip.input_ports(&self.wired.inputs) {
+            self.avr.set_external(port, driven.mask, driven.levels);
+        }
     }
 
     /// Puts the level from outside on a pin of the port with this DDR, or that of the pull-up.
-    fn apply(&mut self, ddr: u16, driven: Driven, pin: u8, irq: Irq) {
+    fn apply(&self, ddr: u16, driven: Driven, pin: u8, irq: Irq) {
         let bit = 1 << pin;
         let direction = self.avr.register(ddr);
         let pulled_up = !direction & self.avr.register(ddr + 1);

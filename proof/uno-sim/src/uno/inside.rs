@@ -4,12 +4,9 @@ use super::Uno;
 use crate::Error;
 use crate::avr::reg;
 use crate::eeprom::EepromWrite;
-use crate::program::{EEPROM_LEN, Program, RAM_END, RAM_START, Symbol};
+use crate::program::{Program, Symbol};
 use crate::stack;
 use std::ops::Range;
-
-/// First address above the RAM.
-const RAM_LIMIT: usize = RAM_END as usize + 1;
 
 impl Uno {
     /// The program: its symbols, and where its static data ends.
@@ -28,7 +25,7 @@ impl Uno {
     /// # Errors
     /// [`Error::OutOfRange`] where they do not all lie there.
     pub fn read_ram(&self, address: u32, len: usize) -> Result<&[u8], Error> {
-        let range = range("RAM", 0..RAM_LIMIT, address, len)?;
+        let range = range("RAM", 0..self.chip().ram_end() as usize + 1, address, len)?;
         Ok(&self.avr.data()[range])
     }
 
@@ -37,7 +34,12 @@ impl Uno {
     /// # Errors
     /// [`Error::OutOfRange`] where they do not all lie there.
     pub fn write_ram(&mut self, address: u32, bytes: &[u8]) -> Result<(), Error> {
-        let range = range("RAM", RAM_START as usize..RAM_LIMIT, address, bytes.len())?;
+        let range = range(
+            "RAM",
+            self.chip().ram_start() as usize..self.chip().ram_end() as usize + 1,
+            address,
+            bytes.len(),
+        )?;
         self.avr.data_mut()[range].copy_from_slice(bytes);
         Ok(())
     }
@@ -71,7 +73,7 @@ impl Uno {
     /// # Errors
     /// [`Error::OutOfRange`] where they do not all lie there.
     pub fn read_eeprom(&self, address: u16, len: usize) -> Result<Vec<u8>, Error> {
-        let range = range("EEPROM", 0..EEPROM_LEN, address.into(), len)?;
+        let range = range("EEPROM", 0..self.chip().eeprom_len(), address.into(), len)?;
         Ok(self.wired.eeprom.bytes()[range].to_vec())
     }
 
@@ -80,7 +82,12 @@ impl Uno {
     /// # Errors
     /// [`Error::OutOfRange`] where they do not all fit there.
     pub fn write_eeprom(&mut self, address: u16, bytes: &[u8]) -> Result<(), Error> {
-        let range = range("EEPROM", 0..EEPROM_LEN, address.into(), bytes.len())?;
+        let range = range(
+            "EEPROM",
+            0..self.chip().eeprom_len(),
+            address.into(),
+            bytes.len(),
+        )?;
         self.wired.eeprom.bytes_mut()[range].copy_from_slice(bytes);
         Ok(())
     }
@@ -125,7 +132,7 @@ impl Uno {
 
     /// The most bytes of stack in use since power-up or [`Uno::reset_min_sp`].
     pub fn stack_peak(&self) -> u16 {
-        (RAM_END as u16).saturating_sub(self.min_sp())
+        (self.chip().ram_end() as u16).saturating_sub(self.min_sp())
     }
 
     /// Bytes between static data and the deepest point of the stack; negative where the stack ran into them.

@@ -6,8 +6,8 @@ mod power;
 mod serial;
 
 use crate::avr::{Avr, CLOCK_HZ, Cpu, Far, Irq, Leave, reg};
-use crate::inputs::{FIRST_D, INPUTS_D, PINS_C};
-use crate::pins::{Edge, Levels, PinRegisters};
+use crate::chip::Chip;
+use crate::pins::{Edge, Levels, Registers};
 use crate::program::Program;
 use crate::sd::SdCard;
 use crate::stack::StackWatch;
@@ -34,19 +34,17 @@ pub enum Slot {
     Card(SdCard),
 }
 
-/// A simulated UNO. Times are cycles since it was made, 62.5 ns each; they go on through a reset and a power cut.
+/// A simulated UNO, or a Mega where its program is for one. Times are cycles since it was made, 62.5 ns each; they go on through a reset and a power cut.
 pub struct Uno {
     // The chip before the wiring: it is dropped first, and knows the wiring's address.
     avr: Avr,
     wired: Wired,
     program: Program,
     code_end: u32,
-    /// Pins D2 to D5.
-    irqs_d: [Irq; INPUTS_D],
-    /// Pins A0 to A5.
-    irqs_c: [Irq; PINS_C],
+    /// The pins of inputs, by their port and bit.
+    irqs: Vec<(u8, u8, Irq)>,
     boot_loader: bool,
-    pin_registers: PinRegisters,
+    pin_registers: Registers,
     levels: Levels,
     edges: Vec<Edge>,
     stack: StackWatch,
@@ -70,20 +68,25 @@ impl Uno {
     /// # Errors
     /// Where simavr cannot simulate the chip.
     pub fn with_program(program: Program, slot: Slot) -> Result<Uno, Error> {
-        let mut avr = Avr::new(program.flash_len)?;
+        let mut avr = Avr::of(program.chip, program.flash_len)?;
         avr.load_flash(&program.flash);
         avr.set_start(program.start);
-        power::scramble(avr.data_mut(), 0);
+        power::scramble(avr.data_mut(), program.chip, 0);
         let mut wired = Wired::new(&mut avr, slot)?;
         wired.eeprom.bytes_mut()[..program.eeprom.len()].copy_from_slice(&program.eeprom);
-        let d = |n| avr.irq(*b"iogD", u32::from(FIRST_D) + n);
-        let c = |n| avr.irq(*b"iogC", n);
+        let chip = program.chip;
+        let mut irqs = Vec::new();
+        for (port, _, _) in chip.input_ports(&wired.inputs) {
+            for pin in chip.input_pins(port) {
+                let irq = avr.irq([b'i', b'o', b'g', port], pin.into())?;
+                irqs.push((port, pin, irq));
+            }
+        }
         Ok(Uno {
-            irqs_d: [d(0)?, d(1)?, d(2)?, d(3)?],
-            irqs_c: [c(0)?, c(1)?, c(2)?, c(3)?, c(4)?, c(5)?],
+            irqs,
             code_end: program.flash.len() as u32,
             stack: StackWatch::new(&avr),
-            pin_registers: PinRegisters::default(),
+            pin_registers: Registers::of(&avr),
             levels: Levels::default(),
             edges: Vec::new(),
             boot_loader: false,
@@ -162,6 +165,11 @@ impl Uno {
         }
     }
 
+    /// The chip of the board.
+    pub fn chip(&self) -> Chip {
+        self.program.chip
+    }
+
     /// Cycles since the board was made.
     #[inline]
     pub fn cycles(&self) -> u64 {
@@ -233,7 +241,7 @@ impl Uno {
 
     #[inline(always)]
     fn watch_pins(&mut self) {
-        let registers = PinRegisters::of(&self.avr);
+        let registers = Registers::of(&self.avr);
         if registers != self.pin_registers {
             self.pin_registers = registers;
             self.record_pins(registers.levels());

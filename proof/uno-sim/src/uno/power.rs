@@ -3,9 +3,9 @@
 use super::Uno;
 use crate::Halt;
 use crate::avr::reg;
+use crate::chip::Chip;
 use crate::eeprom::Moment;
 use crate::pins::Levels;
-use crate::program::RAM_START;
 
 /// Bits of MCUSR: the reset came from the power, or from the button.
 const PORF: u8 = 1 << 0;
@@ -31,7 +31,7 @@ impl Uno {
     pub fn power_up(&mut self) {
         self.wired.power_cycle();
         self.power_ups += 1;
-        scramble(self.avr.data_mut(), self.power_ups);
+        scramble(self.avr.data_mut(), self.program.chip, self.power_ups);
         self.avr.set_register(reg::MCUSR, PORF);
         self.restart();
         self.resets = 0;
@@ -116,10 +116,10 @@ impl Uno {
 }
 
 /// Fills working registers and RAM with arbitrary bytes, others for each `seed`, and leaves the I/O registers alone.
-pub(super) fn scramble(data: &mut [u8], seed: u32) {
+pub(super) fn scramble(data: &mut [u8], chip: Chip, seed: u32) {
     let mut state = 0x9E37_79B9u32.wrapping_add(seed.wrapping_mul(0x85EB_CA6B));
     let (registers, rest) = data.split_at_mut(0x20);
-    let ram = rest.iter_mut().skip(RAM_START as usize - 0x20);
+    let ram = rest.iter_mut().skip(chip.ram_start() as usize - 0x20);
     for byte in registers.iter_mut().chain(ram) {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         *byte = state.to_be_bytes()[0];

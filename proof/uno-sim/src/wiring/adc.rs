@@ -6,8 +6,6 @@ use simavr_ffi as ffi;
 use std::ffi::c_void;
 use std::ptr::NonNull;
 
-/// Number of the interrupt (ATmega328P datasheet, table 11-6).
-pub(super) const INTERRUPT: u8 = 21;
 /// Bits of ADCSRB: what starts a conversion; 0 is free running.
 const TRIGGER: u8 = 7;
 
@@ -103,7 +101,8 @@ unsafe extern "C" fn write_control(
 /// The time has come that the converter was waiting for.
 unsafe extern "C" fn is_due(_: *mut ffi::avr_t, _: u64, wiring: *mut c_void) -> u64 {
     let pass = |wiring: &mut Wiring, now| {
-        let registers = [reg::ADCSRB, reg::DDRC, reg::DDRC + 1];
+        let ddr = wiring.chip.analogue_port();
+        let registers = [reg::ADCSRB, ddr, ddr + 1];
         // SAFETY: the chip is the one that is stepping.
         let [trigger, ddr, port] =
             registers.map(|register| unsafe { Avr::register_of(wiring.avr, register) });

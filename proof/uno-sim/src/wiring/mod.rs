@@ -9,6 +9,7 @@ mod serial;
 
 use crate::adc::Adc;
 use crate::avr::{Avr, Interrupt, Irq, Leave, reg};
+use crate::chip::Chip;
 use crate::eeprom::Eeprom;
 use crate::inputs::Inputs;
 use crate::uart::{Flaw, Uart};
@@ -18,16 +19,13 @@ use std::ffi::c_void;
 use std::ops::{Deref, DerefMut};
 use std::ptr::NonNull;
 
-/// Port B: D13 is the clock, D11 the data to the card.
-const SCK: u8 = 1 << 5;
-const MOSI: u8 = 1 << 3;
-
 /// The state that the callbacks share with the board.
 pub(crate) struct Wiring {
     avr: NonNull<ffi::avr_t>,
     to_spi: Irq,
     serial: serial::Interrupts,
     conversion: Interrupt,
+    chip: Chip,
     /// Cycles up to the last reset.
     pub cycles_before: u64,
     /// How far the chip is let run, in cycles since the board was made.
@@ -52,6 +50,7 @@ pub(crate) struct Wired(NonNull<Wiring>);
 impl Wired {
     /// Connects a slot, a serial line and an empty EEPROM to the chip. The chip must be dropped before the result.
     pub fn new(avr: &mut Avr, slot: Slot) -> Result<Wired, Error> {
+        let chip = avr.chip();
         avr.quiet_uart();
         avr.unwire_timers()?;
         // simavr names peripherals by four characters; the SPI of this chip has the number 0, not '0'.
@@ -60,15 +59,19 @@ impl Wired {
             avr: avr.as_ptr(),
             to_spi: avr.irq(spi, ffi::SPI_IRQ_INPUT)?,
             serial: serial::Interrupts::of(avr)?,
-            conversion: avr.interrupt(adc::INTERRUPT)?,
+            conversion: avr.interrupt(chip.conversion_interrupt())?,
+            chip,
             cycles_before: 0,
             leave: Leave::default(),
-            eeprom: Eeprom::new(),
+            eeprom: Eeprom::new(chip.eeprom_len()),
             power_cut: false,
             slot,
             uart: Uart::new(),
             adc: Adc::new(),
-            inputs: Inputs::new(),
+            inputs: Inputs {
+                shared: chip == Chip::Atmega328p,
+                ..Inputs::new()
+            },
             bad_opcode: None,
         });
         let wired = Wired(NonNull::from(Box::leak(wiring)));
@@ -174,10 +177,11 @@ impl Wiring {
         // SAFETY: called within a step, by the chip that is stepping; it writes nothing meanwhile.
         let ddr = unsafe { Avr::register_of(self.avr, reg::DDRB) };
         let now = self.cycles();
+        let (sck, mosi_pin) = self.chip.card_pins();
         match &mut self.slot {
-            Slot::Card(card) if ddr & SCK != 0 => {
+            Slot::Card(card) if ddr & sck != 0 => {
                 card.set_time(now);
-                card.exchange(if ddr & MOSI == 0 { 0xFF } else { mosi })
+                card.exchange(if ddr & mosi_pin == 0 { 0xFF } else { mosi })
             }
             _ => 0xFF,
         }

@@ -18,10 +18,11 @@ pub(super) struct Interrupts {
 
 impl Interrupts {
     pub fn of(avr: &Avr) -> Result<Interrupts, Error> {
+        let first = avr.chip().serial_interrupt();
         Ok(Interrupts {
-            received: avr.interrupt(18)?,
-            room: avr.interrupt(19)?,
-            sent: avr.interrupt(20)?,
+            received: avr.interrupt(first)?,
+            room: avr.interrupt(first + 1)?,
+            sent: avr.interrupt(first + 2)?,
         })
     }
 }

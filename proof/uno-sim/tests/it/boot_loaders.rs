@@ -32,6 +32,7 @@ fn boot_loader(model: Model) -> Program {
     let boot_loader = match model {
         Model::Uno | Model::Nano => BootLoader::Optiboot,
         Model::NanoOld => BootLoader::Old,
+        Model::Mega => unreachable!("no file is written to it yet"),
     };
     assert_eq!(boot_loader.rate(), model.rate());
     boot_loader.program().unwrap()
@@ -81,6 +82,7 @@ fn the_firmware_goes_through_each_boot_loader_and_runs_a_program() {
         let product = match model {
             Model::Uno => "unoclp UNO",
             Model::Nano | Model::NanoOld => "unoclp Nano",
+            Model::Mega => "unoclp Mega",
         };
         assert_eq!(found.unwrap().product, product);
     }

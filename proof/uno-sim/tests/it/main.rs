@@ -1,4 +1,4 @@
-//! The firmware's ELF on the simulated UNO.
+//! The firmware's ELF on the simulated UNO, and that of the Mega on its chip.
 
 mod analogue;
 mod arithmetic;
@@ -17,6 +17,7 @@ mod languages;
 mod live;
 mod lockstep;
 mod machines;
+mod mega;
 mod modbus;
 mod modbus_boundaries;
 mod modbus_data;

@@ -2,7 +2,7 @@
 //! through nested cases, and asks for what is due after each.
 //!
 //! Owns how they go on until the next that reaches into the chip, which simavr executes; [`kind`] knows which they are, and
-//! [`execute`] what each does. A test compares every opcode with simavr. Must not know a board.
+//! [`execute`] what each does. A test compares every opcode with simavr. It knows the ATmega328P alone.
 
 mod execute;
 mod kind;
@@ -10,6 +10,7 @@ mod kind;
 mod tests;
 
 use super::Avr;
+use crate::chip::Chip;
 use execute::{DATA, Machine};
 use kind::{KINDS, Kind};
 use simavr_ffi as ffi;
@@ -34,6 +35,9 @@ impl Avr {
     /// Executes as many instructions as are quick, none where the next is not. Gives the lowest stack pointer, where any
     /// was executed.
     pub fn run_quickly(&mut self, far: Far) -> Option<u16> {
+        if self.chip() != Chip::Atmega328p {
+            return None;
+        }
         let avr = self.as_ptr().as_ptr();
         // SAFETY: the chip is initialised, and `&mut self` keeps everybody else out, callbacks too, since nothing of simavr
         // is called. Data and flash are allocations of their own, of as many bytes as `Avr::data` and `Avr::flash` have,
