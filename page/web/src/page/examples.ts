@@ -1,32 +1,53 @@
-// The examples: each program once, opened in the language that one chooses.
+// The examples: each program once, with the picture of its ladder, opened in the language that one chooses.
 
-import type { Text } from "../tools/answers";
+import type { Both, Text } from "../tools/answers";
+import type { RemoteTools } from "../tools/remote";
 import { say, told } from "../words/words";
 import { stemOf } from "./document";
 import { h } from "./dom";
 import { fetched } from "./fetched";
+import { picture } from "./picture";
 
 interface Example extends Text {
-  readonly about: { readonly en: string; readonly pt: string };
+  readonly about: Both;
 }
 
 /** Shows them all; a click opens one. */
-export async function showExamples(open: (text: Text) => void): Promise<void> {
+export async function showExamples(tools: RemoteTools, open: (text: Text) => void): Promise<void> {
   const all = await fetched<Example>("examples.json");
   if (!all) return;
-  const close = h("button", { type: "button", class: "quiet", "aria-label": say("close"), click: () => shown.close() }, "×");
-  const stems = [...new Set(all.map(({ name }) => stemOf(name)))];
-  const cards = stems.map((stem) => [stem, all.filter(({ name }) => stemOf(name) === stem)] as const).map(([stem, languages]) => h("li", { class: "gallery-card" }, h("h3", {}, stem), h("p", { class: "note" }, told(languages[0]?.about ?? { en: "", pt: "" })),
-    h("div", { class: "row" }, ...languages.map(({ name, text }) => h("button", { type: "button", "data-example": name, "aria-label": name, click: () => {
-      shown.close();
-      open({ name, text });
-    } }, name.slice(stem.length + 1).toUpperCase())))));
-  const shown = h("dialog", { id: "examples-list", class: "gallery", "aria-label": say("examples") },
-    h("div", { class: "row gallery-head" }, h("h2", {}, say("examples")), h("span", { style: "flex:1" }), close), h("ul", { class: "gallery-cards" }, ...cards));
-  shown.addEventListener("close", () => shown.remove());
-  shown.addEventListener("click", (event) => {
-    if (event.target === shown) shown.close();
+  const dialog = h("dialog", { id: "examples-list", class: "gallery", "aria-labelledby": "example-title", close: () => dialog.remove() });
+  const choose = (example: Example): void => {
+    dialog.close();
+    open({ name: example.name, text: example.text });
+  };
+  dialog.append(
+    h("div", { class: "row gallery-head" }, h("h2", { id: "example-title" }, say("examples")), h("span", { style: "flex:1" }),
+      h("button", { type: "button", class: "quiet", "aria-label": say("close"), click: () => dialog.close() }, "×")),
+    h("ul", { class: "gallery-cards" }, ...programs(all).map((languages) => card(tools, languages, choose))));
+  // A click beside it closes it.
+  dialog.addEventListener("click", (event) => {
+    if (event.target === dialog) dialog.close();
   });
-  document.body.append(shown);
-  shown.showModal();
+  document.body.append(dialog);
+  dialog.showModal();
+}
+
+/** The same program in its languages. Two programs may have one name: what they do tells them apart. */
+function programs(all: readonly Example[]): Example[][] {
+  const groups = new Map<string, Example[]>();
+  for (const example of all) {
+    const key = `${stemOf(example.name)}\n${example.about.en}`;
+    groups.set(key, [...(groups.get(key) ?? []), example]);
+  }
+  return [...groups.values()];
+}
+
+function card(tools: RemoteTools, languages: readonly Example[], choose: (example: Example) => void): HTMLElement {
+  const [first] = languages;
+  if (!first) return h("li");
+  const stem = stemOf(first.name);
+  return h("li", { class: "card gallery-card" }, picture(tools, { name: first.name, text: first.text }, ""), h("h3", {}, stem), h("p", { class: "note" }, told(first.about)),
+    h("div", { class: "row" }, ...languages.map((example) =>
+      h("button", { type: "button", class: "small", "data-example": example.name, "aria-label": example.name, click: () => choose(example) }, example.name.slice(stem.length)))));
 }

@@ -142,7 +142,7 @@ async function load(): Promise<void> {
     const them = await learning();
     return them && new (await import("./gallery")).Gallery(remote, them, machine, open);
   });
-  const examples = (): void => void import("./examples").then(({ showExamples }) => showExamples(open));
+  const examples = (): void => void import("./examples").then(({ showExamples }) => showExamples(remote, open));
   menus(byId("menus"), {
     program, bench, open, take, slot, remote, tabs, learn,
     showMachines: () => void shown().then((gallery) => gallery?.show()),

@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { built, serve } from "../../serve.mjs";
-import { PATIENCE, lamp, launch, run, state, type } from "./harness.mjs";
+import { PATIENCE, lamp, launch, run, state, type, pick } from "./harness.mjs";
 
 /** What the single file may weigh, bytes: what a mail takes. */
 const MOST = 6_000_000;
@@ -51,21 +51,20 @@ async function open(file) {
 
 /** What a student does with it. @param {import("playwright-core").Page} page */
 async function use(page) {
-  // The first visit runs a machine.
-  await page.locator("#machine").waitFor();
+  // The first visit runs a program.
   await state(page, "RUN");
   // Another language is checked by the larger module, and its program runs on the board's own firmware.
   await type(page, TEXT, "porta.st");
   await page.locator("#tongue", { hasText: "Texto Estruturado" }).waitFor();
   await run(page);
   await lamp(page, 4, true);
-  await page.click("#exercises");
+  await pick(page, "#exercises");
   await page.locator("#exercise-list option").nth(40).waitFor({ state: "attached" });
   await page.locator("#exercise-check").click();
   await page.locator("#verdict").waitFor();
-  await page.click("#lessons");
+  await pick(page, "#lessons");
   await page.locator("#lesson h3").waitFor();
-  await page.click("#machines");
+  await pick(page, "#machines");
   await page.locator("#gallery img[src^=data]").first().waitFor();
   await page.click("#gallery-close");
   await type(page, "LDN I1\nST Q4\n", "porta.il");
@@ -113,7 +112,7 @@ test("from another computer the page says what it cannot do there, and gives its
     await page.goto(address);
     await page.locator("#run:enabled").waitFor();
     assert.equal(await page.evaluate(() => isSecureContext), false);
-    await page.click("#connect");
+    await pick(page, "#connect");
     await page.locator("#notes", { hasText: said }).waitFor();
     const saving = page.waitForEvent("download");
     await page.getByRole("button", { name: button }).click();

@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { Lab, choose, findings, keptHere, keptText, type } from "./harness.mjs";
+import { Lab, choose, findings, keptHere, keptText, type, pick } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -37,7 +37,7 @@ async function handIn(page, name, number = "") {
 
 test("what is handed in says who, which exercise and what; grade finds out the rest; a teacher opens it again", async () => {
   const page = await lab.still({ acceptDownloads: true });
-  await page.click("#exercises");
+  await pick(page, "#exercises");
   await page.selectOption("#exercise-list", { index: 4 });
   await type(page, readFileSync(join(exercises, "05-motor.il"), "utf8"), "motor.il");
   await page.locator("#problem-count:not(.bad)").waitFor();
@@ -83,7 +83,7 @@ test("a drawing is handed in too, and is drawn again where it is opened", async 
   await page.fill("#field-point", "I1");
   await page.click(".at-element button[type=submit]");
   await page.locator('#sheet .element[data-point="I1"]').waitFor();
-  await page.click("#exercises");
+  await pick(page, "#exercises");
   await page.locator("#hand-in").waitFor();
   const { text } = await handIn(page, "Caio");
   await page.context().close();
@@ -98,7 +98,7 @@ test("a drawing is handed in too, and is drawn again where it is opened", async 
 
 test("where a fault is to be found, what was named is handed in", async () => {
   const page = await lab.still({ acceptDownloads: true });
-  await page.click("#exercises");
+  await pick(page, "#exercises");
   const index = await page.locator("#exercise-list optgroup[label='Find the fault'] option").first().getAttribute("value");
   await page.selectOption("#exercise-list", index);
   await page.locator("#find-name").click();

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { Lab, findings, keptText } from "./harness.mjs";
+import { Lab, findings, keptText, pick } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -22,7 +22,7 @@ for (const locale of /** @type {const} */ (["en-US", "pt-BR"])) {
     const page = await lab.still({ locale });
     const words = WORDS[locale];
     const lesson = page.locator("#lesson");
-    await page.click("#lessons");
+    await pick(page, "#lessons");
     await lesson.locator(".words", { hasText: words.rung }).waitFor();
     assert.ok(await lesson.evaluate((it) => {
       const [picture, listing] = [".rungs", ".listing"].map((one) => it.querySelector(one));
@@ -55,12 +55,32 @@ for (const locale of /** @type {const} */ (["en-US", "pt-BR"])) {
 
 test("a step is drawn from an empty sheet, and axe-core finds nothing in it", async () => {
   const page = await lab.still();
-  await page.click("#lessons");
+  await pick(page, "#lessons");
   await page.locator("#lesson .rungs img").first().waitFor();
   assert.deepEqual(await findings(page), []);
   await page.getByRole("button", { name: WORDS["en-US"].draw }).click();
   await page.locator("#sheet .rung").first().waitFor();
   assert.equal(await keptText(page), "");
   assert.equal(await page.inputValue("#name"), "01-lamp.il");
+  await page.context().close();
+});
+
+test("each example stands once in the gallery, with its ladder, and opens in each of its languages", async () => {
+  const page = await lab.still();
+  await pick(page, "#examples");
+  const cards = page.locator("#examples-list .gallery-card");
+  await cards.first().waitFor();
+  // Two of the name stardelta do something else, and so are two programs.
+  const names = await cards.locator("h3").allTextContents();
+  assert.equal(names.filter((name) => name === "stardelta").length, 2);
+  assert.ok(names.length > 20 && new Set(names).size === names.length - 1, names.join());
+  await page.waitForFunction(() => [...document.querySelectorAll("#examples-list img")].filter((image) => /** @type {HTMLImageElement} */ (image).naturalWidth > 0).length > 20);
+  assert.deepEqual(await findings(page), []);
+  const tank = cards.filter({ has: page.locator("h3", { hasText: /^tank$/ }) });
+  assert.deepEqual(await tank.getByRole("button").allTextContents(), [".st", ".iscl", ".lce"]);
+  await tank.getByRole("button", { name: "tank.iscl" }).click();
+  await page.locator("#tongue", { hasText: "InterSCL" }).waitFor();
+  assert.equal(await page.inputValue("#name"), "tank.iscl");
+  assert.ok(await page.locator("#examples-list").count() === 0);
   await page.context().close();
 });
