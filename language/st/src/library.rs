@@ -4,9 +4,9 @@
 
 use super::ast::{Decl, File, Section, SpecKind, TypeSpec};
 use super::{Dialect, parser};
+use std::collections::HashSet;
 use unoclp_text::diagnostics::Found;
 use unoclp_tree::Base;
-use std::collections::HashSet;
 
 /// All of them; what a block needs stands after it.
 const BLOCKS: &str = include_str!("library.st");

@@ -4,9 +4,9 @@
 
 use super::super::ast::Chart;
 use super::Checker;
+use unoclp_chart::{Cells, Net, Parts, lower};
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::{Base, ExprKind, Stmt, TypeId};
-use unoclp_chart::{Cells, Net, Parts, lower};
 
 impl<'a> Checker<'a, '_, '_> {
     fn chart_of(&self, unit: usize) -> Option<&'a Chart> {

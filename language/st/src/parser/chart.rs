@@ -7,9 +7,9 @@ use super::super::ast::{Chart, Node, NodeKind, Statement};
 use super::super::token::Kind;
 use super::super::words::Keyword;
 use super::{Parsed, Parser, Told};
+use unoclp_chart::{Action, Does, Name, Qualifier, Step, Transition};
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::{UnitKind, Value};
-use unoclp_chart::{Action, Does, Name, Qualifier, Step, Transition};
 
 const ELEMENT: (&str, &str) = (
     "a chart consists of INITIAL_STEP, STEP, TRANSITION and ACTION alone; write statements in an ACTION, or in a PROGRAM of their own",

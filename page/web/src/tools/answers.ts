@@ -32,7 +32,7 @@ export interface BoardFacts {
   /** What people call it. */
   readonly name: string;
   /** How a request names each that there is. */
-  readonly all: readonly [string, string, string];
+  readonly all: readonly [string, string, string, string];
   /** Whether a board can be flashed that has this; if not, its programs run on a PC alone. */
   readonly firmware: boolean;
   /** Whether it has the instructions of REAL numbers. */
@@ -198,8 +198,8 @@ export interface FlashStep {
 export interface GivenProgram {
   readonly text: string;
   /** Its language, and the one to write it in, by the ends of the names of files. */
-  readonly language: string;
-  readonly answerIn: string;
+  readonly language: LanguageName;
+  readonly answerIn: LanguageName;
 }
 
 /** What a person there can change of a part. */

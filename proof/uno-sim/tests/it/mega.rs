@@ -35,7 +35,7 @@ fn random_programs_behave_alike_on_a_mega() {
         assert_eq!(accepted, Ok(()), "seed {seed} on the host:\n{text}");
         let checked = Checked::read(text.as_bytes(), Board::MEGA).unwrap();
         longest = longest.max(checked.program().stored_bytes());
-        let started = mega.start_kept(&checked.program());
+        let started = mega.start_kept(checked.program());
         let started = started.unwrap_or_else(|e| panic!("seed {seed}: {e}\n{text}"));
         assert_eq!(started, Ok(()), "seed {seed} on the firmware:\n{text}");
         let counts = alike(&mut mega, &mut host, random, seed, &text);
@@ -80,7 +80,7 @@ fn each_point_has_its_pin() {
             let text = format!("0\n{rungs}");
             let checked = Checked::read(text.as_bytes(), Board::MEGA).unwrap();
             assert_eq!(
-                mega.start_kept(&checked.program()).unwrap(),
+                mega.start_kept(checked.program()).unwrap(),
                 Ok(()),
                 "{text}"
             );
