@@ -4,9 +4,9 @@
 //! what was sent, where the program is (`page/uno/src/engine/main.ts` has the form of both). So a scan takes one answer.
 //! A write to the EEPROM takes 4 µs there, not 3.4 ms: keeping a program would take seconds of each start.
 
+use crate::chip::FLASH_LEN;
 use crate::engine::{EngineError, Simulated};
 use crate::pins::PinRegisters;
-use crate::program::FLASH_LEN;
 use crate::{Error, Halt, Program, Pwm};
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};

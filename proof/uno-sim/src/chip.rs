@@ -1,10 +1,17 @@
 //! Which chip a board has, and what that decides: memories, interrupts, and where the pins of the wiring are.
 
 use crate::inputs::{Driven, FIRST_D, Inputs};
-use crate::pins::Levels;
-use crate::program::{EEPROM_LEN, FLASH_LEN, RAM_END, RAM_START};
 use std::ffi::CStr;
 use unoclp_core::Board;
+
+/// Flash of the ATmega328P, bytes.
+pub const FLASH_LEN: usize = 0x8000;
+/// First address of the SRAM in data space; below are the registers.
+pub const RAM_START: u32 = 0x100;
+/// Last address of the SRAM (RAMEND), where the stack starts.
+pub const RAM_END: u32 = 0x8FF;
+/// EEPROM of the ATmega328P, bytes.
+pub const EEPROM_LEN: usize = 0x400;
 
 /// The chip of a board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,40 +25,6 @@ pub enum Chip {
 /// The kind of AVR that an ELF file of avr-gcc says it is for, in the low bits of its flags, where it is the ATmega2560.
 const AVR6: u32 = 6;
 const KINDS: u32 = 0x7F;
-
-/// A pin of an output, by the data address of its direction register, which the port's follows.
-const fn pin(ddr: u16, bit: u8) -> (u16, u8) {
-    (ddr, bit)
-}
-
-/// Outputs 01 to 16 of the Mega.
-const MEGA_OUTPUTS: [(u16, u8); 16] = {
-    const E: u16 = 0x2D;
-    const G: u16 = 0x33;
-    const H: u16 = 0x101;
-    const L: u16 = 0x10A;
-    [
-        pin(E, 4),
-        pin(E, 5),
-        pin(G, 5),
-        pin(E, 3),
-        pin(H, 3),
-        pin(H, 4),
-        pin(H, 5),
-        pin(H, 6),
-        pin(L, 0),
-        pin(L, 1),
-        pin(L, 2),
-        pin(L, 3),
-        pin(L, 4),
-        pin(L, 5),
-        pin(L, 6),
-        pin(L, 7),
-    ]
-};
-
-/// Direction registers of the ports that the levels of the Mega depend on: B, D, E, G, H, L.
-pub(crate) const MEGA_PORTS: [u16; 6] = [0x24, 0x2A, 0x2D, 0x33, 0x101, 0x10A];
 
 /// D6 and D5, D9 and D10.
 const UNO_UNITS: &[([u8; 4], u32, [u8; 4], u32)] = &[
@@ -202,22 +175,4 @@ impl Chip {
             (Chip::Atmega2560, _) => 0..8,
         }
     }
-}
-
-/// What the pins of a Mega show, from the direction and port registers of [`MEGA_PORTS`].
-pub(crate) fn mega_levels(registers: [[u8; 2]; 6]) -> Levels {
-    let [b, d, ..] = registers;
-    let mut levels = Levels {
-        direction: d[0] & d[1] & 1 << 1 != 0,
-        led: b[0] & b[1] & 1 << 7 != 0,
-        card_selected: b[0] & !b[1] & 1 != 0,
-        ..Levels::default()
-    };
-    for (output, (ddr, bit)) in MEGA_OUTPUTS.into_iter().enumerate() {
-        let port = MEGA_PORTS.iter().position(|&port| port == ddr);
-        let [ddr, port] = port.map_or([0; 2], |port| registers[port]);
-        levels.is_output |= u32::from(ddr >> bit & 1) << output;
-        levels.outputs |= (u32::from(ddr & port) >> bit & 1) << output;
-    }
-    levels
 }

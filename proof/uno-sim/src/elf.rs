@@ -2,7 +2,8 @@
 
 use crate::Error;
 use crate::chip::Chip;
-use crate::program::{DATA, Program, RAM_START, Space, Symbol, locate};
+use crate::chip::RAM_START;
+use crate::program::{DATA, Program, Space, Symbol, locate};
 use object::elf::{EM_AVR, PT_LOAD, SHF_ALLOC};
 use object::read::elf::{ElfFile32, FileHeader as _, ProgramHeader as _, SectionHeader as _};
 use object::{Endianness, Object as _, ObjectSymbol as _, SymbolKind};

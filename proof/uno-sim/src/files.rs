@@ -1,6 +1,7 @@
 //! Where the firmware lies that is to be simulated, and how its file is read.
 
-use crate::program::{ENLARGED_FLASH_LEN, FLASH_LEN, Program};
+use crate::chip::FLASH_LEN;
+use crate::program::{ENLARGED_FLASH_LEN, Program};
 use crate::{Error, elf, hex};
 use std::path::{Path, PathBuf};
 

@@ -1,7 +1,8 @@
 //! A program from a file in Intel HEX: a boot loader, or the tested firmware with its symbols beside it.
 
 use crate::Error;
-use crate::program::{FLASH_LEN, Program, RAM_START, Space, Symbol, locate};
+use crate::chip::{FLASH_LEN, RAM_START};
+use crate::program::{Program, Space, Symbol, locate};
 use ihex::Record;
 use std::collections::BTreeMap;
 use std::fs;

@@ -65,16 +65,14 @@ mod uno;
 mod wiring;
 
 pub use boot_loader::BootLoader;
-pub use chip::Chip;
+pub use chip::{Chip, EEPROM_LEN, FLASH_LEN, RAM_END, RAM_START};
 pub use eeprom::{EEPROM_WRITE_CYCLES, EepromWrite};
 pub use error::Error;
 pub use files::{firmware_file, mega_file, nano_file, unshortened_file};
 pub use halt::Halt;
 pub use inputs::{ANALOGUE_INPUTS, Analogue, INPUTS};
 pub use pins::{Edge, OUTPUTS, Pin};
-pub use program::{
-    EEPROM_LEN, ENLARGED_FLASH_LEN, FLASH_LEN, Program, RAM_END, RAM_START, Space, Symbol,
-};
+pub use program::{ENLARGED_FLASH_LEN, Program, Space, Symbol};
 pub use pwm::Pwm;
 pub use uart::{Flaw, Line, Parity, SentByte};
 pub use uno::{CYCLES_PER_MS, STALL, Slot, Uno};

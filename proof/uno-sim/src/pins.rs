@@ -1,7 +1,7 @@
 //! The pins of the UNO's standard wiring, seen from outside (docs/numeric-code.md, "Pins of the UNO").
 
 use crate::avr::{Avr, reg};
-use crate::chip::{Chip, MEGA_PORTS, mega_levels};
+use crate::chip::Chip;
 
 /// Outputs there are: points 01 to 04, pins D6 to D9.
 pub const OUTPUTS: usize = 4;
@@ -27,6 +27,40 @@ pub struct Edge {
     /// To what level; a pin that is no longer driven counts as low.
     pub high: bool,
 }
+
+/// A pin of an output, by the data address of its direction register, which the port's follows.
+const fn pin(ddr: u16, bit: u8) -> (u16, u8) {
+    (ddr, bit)
+}
+
+/// Outputs 01 to 16 of the Mega.
+const MEGA_OUTPUTS: [(u16, u8); 16] = {
+    const E: u16 = 0x2D;
+    const G: u16 = 0x33;
+    const H: u16 = 0x101;
+    const L: u16 = 0x10A;
+    [
+        pin(E, 4),
+        pin(E, 5),
+        pin(G, 5),
+        pin(E, 3),
+        pin(H, 3),
+        pin(H, 4),
+        pin(H, 5),
+        pin(H, 6),
+        pin(L, 0),
+        pin(L, 1),
+        pin(L, 2),
+        pin(L, 3),
+        pin(L, 4),
+        pin(L, 5),
+        pin(L, 6),
+        pin(L, 7),
+    ]
+};
+
+/// Direction registers of the ports that the levels of the Mega depend on: B, D, E, G, H, L.
+const MEGA_PORTS: [u16; 6] = [0x24, 0x2A, 0x2D, 0x33, 0x101, 0x10A];
 
 /// The registers that decide on the levels. Compared after every instruction, so they are one word: DDRB to PORTD as they
 /// lie in data space, and SPE in place of PINC; PIND is left out.
@@ -125,4 +159,22 @@ impl Levels {
         let others = others.filter(|(_, before, high)| before != high);
         outputs.chain(others.map(move |(pin, _, high)| Edge { cycle, pin, high }))
     }
+}
+
+/// What the pins of a Mega show, from the direction and port registers of [`MEGA_PORTS`].
+fn mega_levels(registers: [[u8; 2]; 6]) -> Levels {
+    let [b, d, ..] = registers;
+    let mut levels = Levels {
+        direction: d[0] & d[1] & 1 << 1 != 0,
+        led: b[0] & b[1] & 1 << 7 != 0,
+        card_selected: b[0] & !b[1] & 1 != 0,
+        ..Levels::default()
+    };
+    for (output, (ddr, bit)) in MEGA_OUTPUTS.into_iter().enumerate() {
+        let port = MEGA_PORTS.iter().position(|&port| port == ddr);
+        let [ddr, port] = port.map_or([0; 2], |port| registers[port]);
+        levels.is_output |= u32::from(ddr >> bit & 1) << output;
+        levels.outputs |= (u32::from(ddr & port) >> bit & 1) << output;
+    }
+    levels
 }

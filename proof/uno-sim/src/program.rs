@@ -3,20 +3,12 @@
 //! The tools for AVR keep the address spaces apart by an offset: flash from 0, data space from 0x80_0000, EEPROM from
 //! 0x81_0000, fuses and the rest beyond.
 
-use crate::chip::Chip;
+use crate::chip::{Chip, RAM_START};
 use std::collections::BTreeMap;
 
-/// Flash of the ATmega328P, bytes.
-pub const FLASH_LEN: usize = 0x8000;
 /// What a chip of the same kind could have and still reach all of it by Z, bytes: for
 /// [`Program::read_enlarged`].
 pub const ENLARGED_FLASH_LEN: usize = 0x1_0000;
-/// First address of the SRAM in data space; below are the registers.
-pub const RAM_START: u32 = 0x100;
-/// Last address of the SRAM (RAMEND), where the stack starts.
-pub const RAM_END: u32 = 0x8FF;
-/// EEPROM of the ATmega328P, bytes.
-pub const EEPROM_LEN: usize = 0x400;
 
 pub(crate) const DATA: u32 = 0x80_0000;
 const EEPROM: u32 = 0x81_0000;
@@ -92,7 +84,7 @@ impl Program {
     pub(crate) fn from_words(words: &[u16]) -> Program {
         Program {
             flash: words.iter().flat_map(|word| word.to_le_bytes()).collect(),
-            ..Program::empty(FLASH_LEN)
+            ..Program::empty(crate::chip::FLASH_LEN)
         }
     }
 
@@ -169,17 +161,17 @@ mod tests {
 
     #[test]
     fn segments_go_where_their_load_address_says() {
-        let mut program = Program::empty(FLASH_LEN);
+        let mut program = Program::empty(crate::chip::FLASH_LEN);
         program.load(4, &[1, 2]).expect("flash");
         program.load(EEPROM + 2, &[3]).expect("EEPROM");
         program.load(FUSES, &[4]).expect("fuses are left alone");
         assert_eq!(program.flash, [0xFF, 0xFF, 0xFF, 0xFF, 1, 2]);
         assert_eq!(program.eeprom, [0xFF, 0xFF, 3]);
         for address in [
-            FLASH_LEN as u32 - 1,
+            crate::chip::FLASH_LEN as u32 - 1,
             0x1_0000,
             DATA,
-            EEPROM + EEPROM_LEN as u32 - 1,
+            EEPROM + crate::chip::EEPROM_LEN as u32 - 1,
         ] {
             assert!(program.load(address, &[0, 0]).is_err(), "{address:#x}");
         }

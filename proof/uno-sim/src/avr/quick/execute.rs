@@ -2,7 +2,7 @@
 
 use super::kind::{Kind, is_long};
 use crate::avr::reg;
-use crate::program::RAM_END;
+use crate::chip::RAM_END;
 
 const X: usize = 26;
 const Y: usize = 28;

@@ -3,7 +3,7 @@
 use super::kind::{KINDS, Kind};
 use super::{Avr, Far};
 use crate::avr::reg;
-use crate::program::FLASH_LEN;
+use crate::chip::FLASH_LEN;
 use simavr_ffi as ffi;
 use unoclp_testing::Random;
 
