@@ -118,7 +118,8 @@ async function load(): Promise<void> {
     const them = await learning();
     return them && new (await import("./gallery")).Gallery(remote, them, machine, open);
   });
-  const loadMenus = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn, showMachines: () => void shown().then((gallery) => gallery?.show()) });
+  const examples = later(async () => (await import("./examples")).showExamples);
+  const loadMenus = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn, showExamples: () => void examples().then((show) => show?.(remote, open)), showMachines: () => void shown().then((gallery) => gallery?.show()) });
   takeDrops(byId("drop"), (files) => void take(files));
   /** A program of a link gets a place of its own: what stood here is kept where it was. The others stand beside it. */
   const fromLink = async (): Promise<void> => {

@@ -1,9 +1,8 @@
 // The bar at the top: files, examples, tutorial, exercises, sharing, language, light or dark.
 
-import { beside } from "../offline/beside";
 import type { Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
-import { say, speak, told } from "../words/words";
+import { say, speak } from "../words/words";
 import { asked } from "./asked";
 import type { CardSlot } from "./cardslot";
 import type { ProgramDocument } from "./document";
@@ -34,26 +33,20 @@ interface Parts {
   /** Opens the tutorial or the exercises. */
   learn(what: "lessons" | "exercises"): void;
   showMachines(): void;
-}
-
-interface Example {
-  readonly name: string;
-  readonly about: { readonly en: string; readonly pt: string };
-  readonly text: string;
+  showExamples(): void;
 }
 
 /** Puts the bar together; what it gives loads what its menus list, which nobody sees before they are opened. */
 export function toolbar(root: HTMLElement, parts: Parts): () => Promise<readonly ListedMachine[]> {
-  const { program, open } = parts;
-  let examples: readonly Example[] = [];
+  const { program } = parts;
+  const examples = h("button", { type: "button", id: "menu-examples", "aria-haspopup": "dialog", click: () => parts.showExamples() }, icon("examples"), h("span", { "data-say": "examples" }));
   const machines = h("button", { type: "button", id: "machines", "aria-haspopup": "dialog", click: () => parts.showMachines() }, icon("machine"), h("span", { "data-say": "machines" }));
   const lessons = h("button", { type: "button", id: "lessons", click: () => parts.learn("lessons") }, icon("book"), h("span", { "data-say": "lessons" }));
   const exercises = h("button", { type: "button", id: "exercises", click: () => parts.learn("exercises") }, icon("tick"), h("span", { "data-say": "exercises" }));
   const share = h("button", { type: "button", id: "share", "data-say-label": "share", click: () => void shareLink(program) }, icon("share"));
   root.append(
     menu("fileMenu", "folder", () => files(parts)),
-    menu("examples", "examples", () => examples.map((one) => entry(one.name, () => open({ name: one.name, text: one.text }), told(one.about)))),
-    machines, lessons, exercises, share, theme(), tongue(),
+    examples, machines, lessons, exercises, share, theme(), tongue(),
   );
   document.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey)) return;
@@ -62,12 +55,7 @@ export function toolbar(root: HTMLElement, parts: Parts): () => Promise<readonly
     else return;
     event.preventDefault();
   });
-  return () => {
-    void beside("examples.json").then(async (answer) => {
-      examples = (await answer.json()) as Example[];
-    });
-    return listedMachines();
-  };
+  return listedMachines;
 }
 
 function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {

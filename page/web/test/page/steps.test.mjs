@@ -64,3 +64,23 @@ test("a step is drawn from an empty sheet, and axe-core finds nothing in it", as
   assert.equal(await page.inputValue("#name"), "01-lamp.il");
   await page.context().close();
 });
+
+test("each example stands once in the gallery, with its ladder, and opens in each of its languages", async () => {
+  const page = await lab.still();
+  await page.click("#menu-examples");
+  const cards = page.locator("#example-list .gallery-card");
+  await cards.first().waitFor();
+  // Two of the name stardelta do something else, and so are two programs.
+  const names = await cards.locator("h3").allTextContents();
+  assert.equal(names.filter((name) => name === "stardelta").length, 2);
+  assert.ok(names.length > 20 && new Set(names).size === names.length - 1, names.join());
+  await page.waitForFunction(() => [...document.querySelectorAll("#example-list img")].filter((image) => /** @type {HTMLImageElement} */ (image).naturalWidth > 0).length > 20);
+  assert.deepEqual(await findings(page), []);
+  const tank = cards.filter({ has: page.locator("h3", { hasText: /^tank$/ }) });
+  assert.deepEqual(await tank.getByRole("button").allTextContents(), [".st", ".iscl", ".lce"]);
+  await tank.getByRole("button", { name: "tank.iscl" }).click();
+  await page.locator("#tongue", { hasText: "InterSCL" }).waitFor();
+  assert.equal(await page.inputValue("#name"), "tank.iscl");
+  assert.ok(await page.locator("#example-list").count() === 0);
+  await page.context().close();
+});
