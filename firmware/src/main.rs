@@ -11,6 +11,8 @@
 #![no_std]
 #![no_main]
 #![feature(asm_experimental_arch)]
+// What has a bit for each point is cut to a byte where that is enough; on a small chip it is one.
+#![cfg_attr(not(mega), allow(clippy::unnecessary_cast))]
 #![allow(
     static_mut_refs,
     reason = "avr_device::entry lends main's statics once, to main"
