@@ -112,16 +112,15 @@ pub fn build(toolchain: &Toolchain, board: Model) -> Result<Firmware> {
     say(&format!("firmware: compiling {}", product(board)));
     let link = compile(toolchain, board)?;
 
-    // A Mega has room for it as it is.
-    let built = if board == Model::Mega {
-        arguments::accept(&link.assembly()?)?;
-        link.result()?
-    } else {
+    let built = if is_shortened(board) {
         say("firmware: shortening what the compiler has made");
         let shortened = shortened(board);
         let rules = link::link(&link, &shortened)?;
         println!("{}", link::savings(&rules));
         shortened
+    } else {
+        arguments::accept(&link.assembly()?)?;
+        link.result()?
     };
     let elf = fs::read(&built).with_context(|| format!("cannot read {}", built.display()))?;
 
@@ -190,6 +189,11 @@ pub fn cargo(toolchain: &Toolchain, subcommand: &str, board: Model) -> Command {
         cargo.args(["--config", MEGA]);
     }
     cargo
+}
+
+/// Whether the firmware of a board is shortened: a Mega has room for it as it is.
+pub fn is_shortened(board: Model) -> bool {
+    board != Model::Mega
 }
 
 /// The shortened firmware of a board before it is checked, with its assembly beside it.

@@ -49,7 +49,10 @@ fn changed(before: &Unit, after: &Unit) -> Vec<String> {
 
 #[test]
 fn every_function_that_was_shortened_does_the_same() {
-    firmware::BOARDS.into_iter().for_each(does_the_same);
+    let shortened = firmware::BOARDS.into_iter();
+    shortened
+        .filter(|&board| firmware::is_shortened(board))
+        .for_each(does_the_same);
 }
 
 fn does_the_same(board: Model) {

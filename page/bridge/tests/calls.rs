@@ -45,9 +45,9 @@ fn a_board_tells_what_it_has() {
         (&nano["id"], &nano["real"]),
         (&json!("nano"), &json!(false))
     );
-    let told = ask(json!({ "ask": "board", "board": "mega" }));
+    let told = ask(json!({ "ask": "board", "board": "giga" }));
     assert!(
-        told["error"]["en"].as_str().unwrap().contains("mega"),
+        told["error"]["en"].as_str().unwrap().contains("giga"),
         "{told}"
     );
 }

@@ -20,9 +20,8 @@ struct Case {
     /// Whether it is a number.
     #[serde(default)]
     number: bool,
-    /// Whether the board PC has it.
-    #[serde(default)]
-    pc: bool,
+    /// The first board that has it, where one has.
+    board: Option<String>,
     /// What to do.
     en: String,
     pt: String,
@@ -33,11 +32,13 @@ struct Case {
 
 impl Case {
     /// What ends the message of a point that another board has.
-    fn elsewhere(&self) -> (&'static str, &'static str) {
-        match self.pc {
-            true => ("; the board PC has this one", "; a placa PC tem este ponto"),
-            false => ("", ""),
-        }
+    fn elsewhere(&self) -> (String, String) {
+        self.board.as_ref().map_or_else(Default::default, |board| {
+            (
+                format!("; the board {board} has this one"),
+                format!("; a placa {board} tem este ponto"),
+            )
+        })
     }
 }
 
@@ -150,12 +151,12 @@ fn one_fault_has_one_message_in_every_door() {
             );
             assert_eq!(
                 first.help(Lang::En),
-                case.en.clone() + case.elsewhere().0,
+                case.en.clone() + &case.elsewhere().0,
                 "{about}"
             );
             assert_eq!(
                 first.help(Lang::Pt),
-                case.pt.clone() + case.elsewhere().1,
+                case.pt.clone() + &case.elsewhere().1,
                 "{about}"
             );
             let place = &text[first.span.range()];
@@ -184,7 +185,7 @@ fn lce_says_the_same_of_its_own_notation() {
             first.message(Lang::En),
             format!("there is no point `{at}` on this board")
         );
-        assert_eq!(first.help(Lang::En), help.clone() + case.elsewhere().0);
+        assert_eq!(first.help(Lang::En), help.clone() + &case.elsewhere().0);
         assert_eq!(&text[first.span.range()], at);
     }
 }

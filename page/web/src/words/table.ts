@@ -135,7 +135,7 @@ export const TABLE = {
   contactOpen: ["NO", "NA"],
   contactClosed: ["NC", "NF"],
   contactSwitch: ["switch", "chave"],
-  contactLatch: ["NC latch", "trava NF"],
+  contactLatch: ["NC latch", "retenção NF"],
   buttonKinds: ["Kinds", "Tipos"],
   contactOf: ["Kind of button {n}", "Tipo do botão {n}"],
   moreButtons: ["All buttons", "Todos os botões"],

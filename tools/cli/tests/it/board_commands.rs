@@ -56,6 +56,14 @@ fn an_upload_says_what_it_does() {
     assert_eq!(fake.board().state, RUN);
 }
 
+/// The codes of a program, without what else stands in their lines.
+fn codes(text: &str) -> Vec<&str> {
+    let lines = text
+        .lines()
+        .map(|line| line.split('/').next().unwrap_or_default().trim());
+    lines.filter(|code| !code.is_empty()).collect()
+}
+
 #[test]
 fn every_language_is_uploaded_as_what_it_is_compiled_to() {
     for (name, text) in [
@@ -74,8 +82,8 @@ fn every_language_is_uploaded_as_what_it_is_compiled_to() {
         let (code, out, err) = on(&fake, &["upload", &program]);
         assert_eq!((code, err.as_str()), (0, ""), "{name}: {out}");
         assert!(out.ends_with("\nRUN\n"), "{name}: {out}");
-        let sent = unoclp_program::sealed(&fake.board().text);
-        assert_eq!(sent, compiled.as_bytes(), "{name}");
+        let sent = String::from_utf8(fake.board().text.clone()).unwrap();
+        assert_eq!(codes(&sent), codes(&compiled), "{name}");
     }
     // Nothing is sent of what is wrong, nor of what the board cannot do.
     let fake = Fake::new(Board::default());
