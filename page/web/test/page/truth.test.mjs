@@ -246,7 +246,7 @@ test("on an address of the network, Connect says why the browser keeps ports fro
   await page.locator("#run:enabled").waitFor();
   assert.equal(await page.evaluate(() => isSecureContext), false);
   await pick(page, "#connect");
-  await page.locator("#notes", { hasText: /sala\.escola:8420.*unoclp serve.*127\.0\.0\.1/ }).waitFor();
+  await page.locator("#notes", { hasText: /sala\.escola:8420.*portas seriais.*dois cliques/ }).waitFor();
   await context.close();
 });
 
