@@ -95,6 +95,8 @@ export class Lessons {
       }
       const own = { name: `${stemOf(lesson.name)}.${end}`, text };
       last = own;
+      // A listing that is wider than the column is scrolled with the keyboard too.
+      figure.querySelector("pre")?.setAttribute("tabindex", "0");
       figure.append(h("button", { type: "button", class: "quiet small", click: () => this.open(own) }, say("lessonPut")));
     }
   }

@@ -53,6 +53,7 @@ async function open(file) {
 async function use(page) {
   // The first visit runs a program.
   await state(page, "RUN");
+  await page.click("#view-both");
   // Another language is checked by the larger module, and its program runs on the board's own firmware.
   await type(page, TEXT, "porta.st");
   await page.locator("#tongue", { hasText: "Texto Estruturado" }).waitFor();
