@@ -184,3 +184,29 @@ pub fn with_plc<T>(checked: &mut Checked, run: impl FnOnce(&mut Plc<'_>) -> T) -
     let mut plc = Plc::new(checked.lend());
     run(&mut plc)
 }
+
+/// Compares the programs of as many seeds, the first of which `UNOCLP_SEED` may say. More than so many per cent of them must
+/// run, and none may differ: `compared` says whether a program ran, or how it differs.
+pub fn none_differs(count: u32, percent: u64, compared: impl Fn(u64) -> Result<bool, String>) {
+    let first = std::env::var("UNOCLP_SEED").map_or(1, |seed| seed.parse().expect("a number"));
+    let count = u64::from(count);
+    let (mut ran, mut wrong) = (0, Vec::new());
+    for seed in first..first + count {
+        match compared(seed) {
+            Ok(did) => ran += u64::from(did),
+            Err(why) => wrong.push(why),
+        }
+    }
+    wrong.sort_by_key(String::len);
+    println!("{ran} of {count} ran, {} differ", wrong.len());
+    let first = wrong.iter().filter_map(|why| why.lines().next());
+    let first: Vec<&str> = first.take(30).collect();
+    let shortest = wrong.first().map_or("", String::as_str);
+    assert!(
+        wrong.is_empty(),
+        "{} differ:\n{}\nthe shortest:\n{shortest}",
+        wrong.len(),
+        first.join("\n")
+    );
+    assert!(ran * 100 > count * percent, "only {ran} of {count} ran");
+}

@@ -3,7 +3,7 @@
 //!
 //! `UNOCLP_SEED` is the first seed.
 
-use crate::board::{Twins, errors, large, with_plc};
+use crate::board::{Twins, errors, large, none_differs, with_plc};
 use unoclp_core::Board;
 use unoclp_lang::typed::{Tree, Value};
 use unoclp_lang::{TextLanguage, compile_text};
@@ -101,22 +101,5 @@ fn random_charts_do_so_where_most_bits_stand_in_registers() {
 }
 
 fn all_do(board: Board) {
-    let first = std::env::var("UNOCLP_SEED").map_or(1, |seed| seed.parse().expect("a number"));
-    let count = u64::from(rounds(CHARTS));
-    let (mut ran, mut wrong) = (0, Vec::new());
-    for seed in first..first + count {
-        match compared(seed, board) {
-            Ok(did) => ran += u64::from(did),
-            Err(why) => wrong.push(why),
-        }
-    }
-    wrong.sort_by_key(String::len);
-    println!("{ran} of {count} ran, {} differ", wrong.len());
-    let shortest = wrong.first().map_or("", String::as_str);
-    assert!(
-        wrong.is_empty(),
-        "{} differ; the shortest:\n{shortest}",
-        wrong.len()
-    );
-    assert!(ran * 10 > count * 9, "only {ran} of {count} ran");
+    none_differs(rounds(CHARTS), 90, |seed| compared(seed, board));
 }
