@@ -1,7 +1,7 @@
 //! The requests of a page, answered.
 
 use crate::ask::{Answer, First, MORE};
-use crate::board::{Boards, Open, Order};
+use crate::board::{Boards, Open, orders};
 use crate::draw;
 use crate::facts::Facts;
 use crate::given::{Given, wrong};
@@ -64,8 +64,8 @@ fn first(ask: First, boards: &mut Boards) -> Result<Answer, No> {
             Answer::Open(boards.open(open)?)
         }
         First::Step { board, now, came } => Answer::Step(boards.step(board, now, &came)?),
-        First::Order { board, order } => {
-            let order = Order::of(order, workspace)?;
+        First::Order { board, mut order } => {
+            let order = orders::read(&mut order, workspace)?;
             Answer::Order(boards.order(board, order)?)
         }
         First::Lose { board, why } => Answer::Lose(boards.lose(board, why)?),

@@ -2,8 +2,6 @@
 
 use crate::answer::answer;
 use crate::given::Given;
-#[cfg(feature = "full")]
-use crate::given::wrong;
 use crate::program;
 use crate::words::{self, Both, No, both};
 use unoclp_draw::{Style, to_screen};
@@ -64,30 +62,13 @@ pub enum As {
     Xml,
 }
 
-#[cfg(feature = "full")]
-impl As {
-    /// As a request says.
-    ///
-    /// # Errors
-    /// Where it says nothing of that.
-    pub fn of(given: &mut Given) -> Result<As, Both> {
-        Ok(match given.text("as")?.as_str() {
-            "ladder" => As::Ladder,
-            "il" => As::Il,
-            "st" => As::St,
-            "numeric" => As::Numeric,
-            "svg" => As::Svg,
-            "xml" => As::Xml,
-            _ => return Err(wrong("as")),
-        })
-    }
-}
-
 answer! {
     /// A drawing of a page.
     pub struct LadderDrawn as "LadderDrawn" {
         /// The element.
         svg: String,
+        /// Whether it is the code of a compiler, which no person would draw.
+        code: bool,
     }
 }
 
@@ -114,7 +95,8 @@ pub fn ladder(analysis: &Analysis, width: usize, speak: Speak) -> Result<LadderD
         &title(speak.into()),
         &source.name,
     );
-    Ok(LadderDrawn { svg })
+    let code = source.is_code();
+    Ok(LadderDrawn { svg, code })
 }
 
 /// What its timers and counters are before the first scan: boxes are as wide as what they count may become.

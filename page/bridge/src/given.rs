@@ -36,6 +36,11 @@ impl Given {
         }
     }
 
+    /// Whether a key has something.
+    pub fn is_there(&self, key: &str) -> bool {
+        self.0.get(key).is_some_and(|value| !value.is_null())
+    }
+
     /// A text.
     ///
     /// # Errors

@@ -19,7 +19,6 @@
 //! - `card`: images of cards
 //! - `machine`: a machine beside the board
 //! - `replay`: what went wrong with a machine, to be seen again
-//! - `flash`: firmware on its way to a board
 //! - `board`: conversations with a board, simulated or real
 //! - `clock`: the times of a page
 //!
@@ -43,8 +42,6 @@ mod edit;
 #[cfg(feature = "full")]
 mod exercise;
 mod facts;
-#[cfg(feature = "full")]
-mod flash;
 mod given;
 mod json;
 #[cfg(feature = "full")]

@@ -13,7 +13,9 @@ use unoclp_program::Lang;
 /// What chance begins with.
 const SEED: u64 = 1;
 /// A request lets it go on for no longer, ms.
-const MOST: u32 = 250;
+pub const MOST: u32 = 250;
+/// A point's number has two digits.
+pub const NUMBERS: usize = 100;
 
 self_cell!(
     struct Moving {
@@ -77,16 +79,16 @@ answer! {
 #[derive(Debug)]
 pub struct Wires {
     /// Of the output with each number, what share of 255 it was high; number 0 is none.
-    pub shares: [u8; 100],
+    pub shares: [u8; NUMBERS],
     /// The readings of A 00 and those after it, 0 to 1023.
-    pub readings: [u16; 100],
+    pub readings: [u16; NUMBERS],
 }
 
 impl Default for Wires {
     fn default() -> Wires {
         Wires {
-            shares: [0; 100],
-            readings: [0; 100],
+            shares: [0; NUMBERS],
+            readings: [0; NUMBERS],
         }
     }
 }

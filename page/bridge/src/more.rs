@@ -153,12 +153,6 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<Answer, No> {
             boards.machine = None;
             Answer::MachineClose(())
         }
-        More::Flash { hex, model } => Answer::Flash(boards.flash.begin(&hex, &model)?),
-        More::FlashStep { now, came } => Answer::FlashStep(boards.flash.step(now, &came)?),
-        More::FlashLose { why } => {
-            boards.flash.lose(why);
-            Answer::FlashLose(())
-        }
         More::Palette {} => Answer::Palette(unoclp_edit::palette()),
         More::Draw {
             base,
@@ -191,7 +185,7 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<Answer, No> {
                 workspace,
             )))
         }
-        More::Drawn { form } => Answer::Drawn(drawing(boards)?.0.text(&form)?),
+        More::Drawn { form } => Answer::Drawn(drawing(boards)?.0.text(form)?),
         More::Find { words } => Answer::Find(drawing(boards)?.0.find(&words)),
     })
 }

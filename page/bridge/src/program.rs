@@ -3,7 +3,6 @@
 //! Owns what a page is told of a program as a whole. Must not know how it is drawn or run.
 
 use crate::answer::answer;
-use crate::given::Given;
 use crate::tell::{Problem, colours, problems, warnings};
 use crate::words::{self, Both, No, both};
 use std::collections::BTreeMap;
@@ -144,14 +143,6 @@ pub fn written(name: String, text: String, board: Board) -> Result<Written, Both
         true => Err(both(|lang| words::too_long(lang, LONGEST))),
         false => Ok(Written::new(name, text.into_bytes(), board)),
     }
-}
-
-/// What is known of the text whose version a request gives.
-///
-/// # Errors
-/// Where it gives none, or one that is no longer known.
-pub fn analysis(given: &mut Given, workspace: &mut Workspace) -> Result<Rc<Analysis>, Both> {
-    known(Version(given.number("version")?), workspace)
 }
 
 /// What is known of this version.

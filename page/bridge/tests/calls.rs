@@ -462,27 +462,33 @@ fn firmware_that_is_none_is_refused_and_a_board_that_is_silent_is_told() {
         Path::new(env!("CARGO_MANIFEST_DIR")).join("../../firmware/unoclp-uno.hex"),
     );
     let hex = hex.unwrap();
-    let none = told(json!({ "ask": "flash", "hex": "what", "model": "uno" }));
+    let board = told(json!({ "ask": "open", "reset": false }))["ok"].clone();
+    let mut flash = |hex: &str, model: &str| {
+        let order = json!({ "do": "flash", "hex": hex, "model": model });
+        told(json!({ "ask": "order", "board": board, "order": order }))
+    };
+    let none = flash("what", "uno");
     assert!(none["error"]["pt"].is_string(), "{none}");
-    let none = told(json!({ "ask": "flash", "hex": hex, "model": "mega" }));
+    let none = flash(&hex, "mega");
     assert!(none["error"]["en"].as_str().unwrap().contains("mega"));
-    assert!(told(json!({ "ask": "flashStep", "now": 0, "came": [] }))["error"].is_object());
-    assert_eq!(
-        told(json!({ "ask": "flash", "hex": hex, "model": "uno" }))["ok"],
-        115_200
-    );
+    let order = flash(&hex, "uno")["ok"].clone();
     let (mut now, mut resets) = (0.0, 0);
-    let failure = loop {
-        let step = told(json!({ "ask": "flashStep", "now": now, "came": [] }))["ok"].clone();
+    let why = loop {
+        let step = told(json!({ "ask": "step", "board": board, "now": now, "came": [] }));
+        let step = &step["ok"];
         resets += u32::from(step["reset"] == true);
-        if step["over"] == true {
-            break step["failure"].clone();
+        assert_eq!(step["rate"], 115_200);
+        let news = step["news"].as_array().unwrap();
+        if let Some(undone) = news.iter().find(|news| news["news"] == "undone") {
+            assert_eq!(undone["order"], order);
+            break undone["why"].clone();
         }
         now = step["until"].as_f64().unwrap().max(now + 0.1);
         assert!(now < 120_000.0);
     };
     assert!(resets > 0);
-    assert_ne!(failure["en"], failure["pt"]);
+    assert_ne!(why["en"], why["pt"]);
+    assert!(why["en"].as_str().unwrap().starts_with("FW-21"), "{why}");
 }
 
 /// What a page sees after acts on a drawing of this text.

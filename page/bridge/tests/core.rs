@@ -49,10 +49,15 @@ impl Page {
         (news.pop().unwrap(), news)
     }
 
-    /// Has something done; gives what there is to say of it, and what is seen then.
+    /// Has something done; gives what there is to say of it, and what is seen then. What is refused at once is undone too.
     fn order(&mut self, order: Value) -> (Value, Value) {
-        let number = self.ok(json!({ "ask": "order", "board": self.board, "order": order }));
+        let request = json!({ "ask": "order", "board": self.board, "order": order });
+        let told = told(&mut self.boards, request);
         let (seen, news) = self.after(0);
+        if let Some(why) = told.get("error") {
+            return (json!({ "news": "undone", "why": why }), seen);
+        }
+        let number = told["ok"].clone();
         let told = news.iter().find(|news| news["order"] == number).unwrap();
         (told.clone(), seen)
     }

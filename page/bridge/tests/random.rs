@@ -51,9 +51,7 @@ fn requests() -> Vec<Value> {
         order(
             json!({ "do": "settle", "settings": { "address": 1, "rate": 9600, "parity": 0, "direction": false, "lock": null } }),
         ),
-        json!({ "ask": "flash", "hex": ":00000001FF", "model": "uno" }),
-        json!({ "ask": "flashStep", "now": 1, "came": [20, 16] }),
-        json!({ "ask": "flashLose", "why": "gone" }),
+        order(json!({ "do": "flash", "hex": ":00000001FF", "model": "uno" })),
         json!({ "ask": "machine", "name": "m.toml", "text": include_str!("../../../programs/plants/motor.toml"), "speak": "pt", "keep": false }),
         json!({ "ask": "machineHand", "part": 1, "value": 0, "to": 1 }),
         json!({ "ask": "machineFault", "part": 2, "fault": "welded", "is": true }),

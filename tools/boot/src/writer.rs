@@ -57,6 +57,8 @@ const ANSWER: Duration = Duration::from_millis(800);
 /// An image on its way to a board.
 #[derive(Clone, Debug)]
 pub struct Writer {
+    /// Of the boot loader, bits per second.
+    rate: u32,
     script: Vec<Exchange>,
     /// How many exchanges are over.
     over: usize,
@@ -124,6 +126,7 @@ impl Writer {
     /// Writes this image. It begins with the first step.
     pub fn new(image: &Image) -> Writer {
         Writer {
+            rate: image.model().rate(),
             script: script(image),
             over: 0,
             state: State::Reset,
@@ -132,6 +135,11 @@ impl Writer {
             heard: false,
             gone: None,
         }
+    }
+
+    /// At how many bits per second the boot loader is spoken to.
+    pub fn rate(&self) -> u32 {
+        self.rate
     }
 
     /// How far it is.

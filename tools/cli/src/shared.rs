@@ -330,7 +330,7 @@ impl Board for AtPort {
             }
         });
         answered.map_err(|failure| match failure {
-            Failure::Lost(why) => NoAnswer::Gone(messages::port_gone(why)),
+            Failure::Lost(_) => NoAnswer::Gone(messages::failure(&failure)),
             _ => NoAnswer::Silent,
         })
     }

@@ -1,7 +1,7 @@
 //! Requests to a board, each sent until it is answered.
 
 use crate::identity::Identity;
-use crate::link::{Gone, Link};
+use crate::link::{Format, Gone, Link};
 use std::time::Duration;
 use unoclp_modbus::client::{NoReply, Reply, Request};
 use unoclp_modbus::map::{Parity, Span, setting};
@@ -16,6 +16,16 @@ pub struct Line {
     pub rate: u32,
     /// The parity.
     pub parity: Parity,
+}
+
+impl Line {
+    /// How bytes are sent on it.
+    pub fn format(self) -> Format {
+        Format {
+            rate: self.rate,
+            parity: self.parity,
+        }
+    }
 }
 
 impl Default for Line {
@@ -102,6 +112,10 @@ impl Client {
             transit: character * 512,
             patience,
         }
+    }
+
+    pub(crate) fn link(&self) -> &Link {
+        &self.link
     }
 
     /// How long it waits.

@@ -31,7 +31,7 @@
 //! ```
 
 use crate::client::{Client, Line, Patience};
-use crate::link::{Link, Mailbox};
+use crate::link::{Format, Link, Mailbox};
 use std::pin::Pin;
 use std::rc::Rc;
 use std::task::{Context, Poll, Waker};
@@ -47,7 +47,11 @@ pub struct Conversation<'a, T> {
 /// What a step of a conversation asks for.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Step<T> {
-    /// These bytes, to be sent now.
+    /// How bytes are sent from now on: the line's own way, but for a boot loader.
+    pub format: Format,
+    /// First reset the board (on an Arduino: DTR off, for 50 ms or more, and on), and throw away what has come before.
+    pub reset: bool,
+    /// Then send these bytes.
     pub send: Vec<u8>,
     /// And then this.
     pub next: Next<T>,
@@ -69,7 +73,7 @@ impl<'a, T> Conversation<'a, T> {
         patience: Patience,
         talk: impl AsyncFnOnce(&mut Client) -> T + 'a,
     ) -> Conversation<'a, T> {
-        let mailbox = Rc::new(Mailbox::default());
+        let mailbox = Rc::new(Mailbox::new(line.format()));
         let mut client = Client::new(Link(mailbox.clone()), line, patience);
         Conversation {
             mailbox,
@@ -77,7 +81,7 @@ impl<'a, T> Conversation<'a, T> {
         }
     }
 
-    /// Goes on, at the time `now` since any moment, with the bytes that have come since the last step. Behind
+    /// Goes on, at the time `now` since any moment, with the bytes that have come since the last step. After
     /// its end a conversation waits for ever.
     pub fn step(&mut self, now: Duration, came: &[u8]) -> Step<T> {
         let mailbox = &self.mailbox;
@@ -97,8 +101,12 @@ impl<'a, T> Conversation<'a, T> {
                 Next::Done(outcome)
             }
         };
-        let send = self.mailbox.send.take();
-        Step { send, next }
+        Step {
+            format: self.mailbox.format.get(),
+            reset: self.mailbox.reset.take(),
+            send: self.mailbox.send.take(),
+            next,
+        }
     }
 
     /// The port is gone, and why: the next step is told so, and all that is said from then on fails.

@@ -3,7 +3,7 @@
 use crate::client::{Client, Failure};
 use crate::map::{Span, State, flag, form, input, long};
 use unoclp_core::{Cause, Fault, Program};
-use unoclp_modbus::eeprom;
+use unoclp_modbus::{Table, eeprom};
 
 /// What the board says of itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -125,8 +125,14 @@ impl Diagnostics {
         Ok(())
     }
 
+    /// Where the words lie that tell them, to the end of this span: table, first address, how many.
+    pub const fn asked(last: Span) -> (Table, u16, u16) {
+        let first = input::STATE.first;
+        (input::STATE.table, first, last.end() - first)
+    }
+
     /// From the words that begin with the state; 0 stands for what is missing.
-    fn of(words: &[u16]) -> Diagnostics {
+    pub fn of(words: &[u16]) -> Diagnostics {
         let first = input::STATE.first;
         let at = |address: u16| {
             let word = words.get(usize::from(address - first));
@@ -185,9 +191,8 @@ impl Diagnostics {
 
 /// The words from the state to the end of this span.
 async fn read_to(client: &mut Client, last: Span) -> Result<Vec<u16>, Failure> {
-    let first = input::STATE.first;
-    let count = last.end() - first;
-    client.words(input::STATE.table, first, count).await
+    let (table, first, count) = Diagnostics::asked(last);
+    client.words(table, first, count).await
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ impl fmt::Display for Identity {
 
 impl Identity {
     /// From the texts of an answer; none if they are not all three.
-    pub(crate) fn of(texts: Texts<'_>) -> Option<Identity> {
+    pub fn of(texts: Texts<'_>) -> Option<Identity> {
         let mut texts = texts.map(|text| String::from_utf8_lossy(text).into_owned());
         Some(Identity {
             vendor: texts.next()?,

@@ -6,32 +6,41 @@
 //! - [`identity`], [`diagnostics`]: what a board says of itself
 //! - [`start`]: finding the board at the other end
 //! - [`upload`]: a program over the line in place of the card
-//! - [`watch`]: one reading of all that a screen shows, and what may be wished of the board
+//! - [`flash`]: a firmware by its boot loader
+//! - [`watch`]: one reading of all that a screen shows, commands and forces
 //! - [`live`]: the same many times a second, of what a program uses
-//! - [`session`]: a board from finding it to losing it, for whoever watches one: a terminal, a page
+//! - [`session`]: a board from finding it to losing it, and all that is heard of it meanwhile: one machine, whose views are
+//!   the terminal, the page and the gateway
+//! - [`order`]: all that may be ordered of a board, and what comes of it
 //! - [`point`]: writing of single points
 //! - [`settings`]: address, rate, parity, direction pin and lock
+//! - [`words`]: what there is to say of all that
 //!
-//! Owns what is asked of a board, in which order, and what its answers are. Must not know ports, threads, clocks, words:
-//! what it gives are values. What the addresses stand for is [`map`]'s, which the firmware serves too.
+//! Owns what is asked of a board, in which order, what its answers are, and their words. Must not know ports, threads, clocks,
+//! nor who shows what. What the addresses stand for is [`map`]'s, which the firmware serves too.
 
 #![forbid(unsafe_code)]
 
 pub mod client;
 mod conversation;
 pub mod diagnostics;
+pub mod flash;
 pub mod identity;
 mod link;
 pub mod live;
+pub mod order;
 pub mod point;
 pub mod session;
 pub mod settings;
 pub mod start;
 pub mod upload;
 pub mod watch;
+pub mod words;
 
 pub use client::{Client, Failure, Line, Patience};
 pub use conversation::{Conversation, Next, Step};
+pub use link::Format;
+pub use order::Order;
 pub use unoclp_modbus::map::Parity;
 pub use unoclp_modbus::{lock, map};
 

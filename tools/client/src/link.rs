@@ -5,10 +5,23 @@ use std::future::poll_fn;
 use std::rc::Rc;
 use std::task::Poll;
 use std::time::Duration;
+use unoclp_modbus::map::Parity;
+
+/// How bytes are sent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Format {
+    /// Bits per second.
+    pub rate: u32,
+    /// The parity.
+    pub parity: Parity,
+}
 
 /// What lies between a step and what is said.
-#[derive(Default)]
 pub(crate) struct Mailbox {
+    /// How bytes are sent from now on.
+    pub format: Cell<Format>,
+    /// The board is to be reset.
+    pub reset: Cell<bool>,
     pub now: Cell<Duration>,
     /// When to go on if nothing comes.
     pub until: Cell<Duration>,
@@ -24,7 +37,38 @@ pub(crate) struct Gone(pub String);
 /// The line as a conversation sees it.
 pub(crate) struct Link(pub Rc<Mailbox>);
 
+impl Mailbox {
+    /// One of a conversation that has not begun.
+    pub fn new(format: Format) -> Mailbox {
+        Mailbox {
+            format: Cell::new(format),
+            reset: Cell::default(),
+            now: Cell::default(),
+            until: Cell::default(),
+            came: RefCell::default(),
+            send: RefCell::default(),
+            gone: RefCell::default(),
+        }
+    }
+}
+
 impl Link {
+    /// How bytes are sent.
+    pub fn format(&self) -> Format {
+        self.0.format.get()
+    }
+
+    /// Has bytes sent so from now on.
+    pub fn speak(&self, format: Format) {
+        self.0.format.set(format);
+    }
+
+    /// Has the board reset before anything else is sent. What has come before that is forgotten.
+    pub fn reset(&self) {
+        self.0.came.take();
+        self.0.reset.set(true);
+    }
+
     /// The time of this step.
     pub fn now(&self) -> Duration {
         self.0.now.get()

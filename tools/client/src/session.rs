@@ -2,21 +2,52 @@
 //! Whoever watches one, a terminal or a page, is a [`Desk`].
 
 use crate::client::{Client, Failure};
+use crate::diagnostics::{Diagnostics, Kept};
 use crate::identity::Identity;
 use crate::live::{Live, Parts};
+use crate::order::{Change, Done, Order, Undone};
+use crate::settings::Settings;
 use crate::start::{NotFound, find};
-use crate::watch::{Reading, Scope};
+use crate::upload::Progress;
+use crate::watch::{Forced, Reading, Scope};
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::future::poll_fn;
+use std::pin::pin;
+use std::task::Poll;
 use std::time::Duration;
 
-/// What there is to say of a board.
+/// What there is to say of a board. What an order has to say comes before that it is done, or not: they are done one after
+/// the other.
 #[derive(Debug)]
 pub enum Event<'e> {
     /// It has answered.
-    Found(Identity),
+    Found(&'e Identity),
     /// All that there is to show.
     Seen(&'e Reading),
     /// There is no board, or no longer one. It is sought on.
     Lost(&'e Away),
+    /// It takes an upload from now on.
+    Stopped {
+        /// How it was before.
+        before: &'e Diagnostics,
+        /// What was forced then.
+        forced: Forced,
+    },
+    /// An upload goes on.
+    Sent(Progress),
+    /// What it keeps since an upload.
+    Stored(Kept),
+    /// This is no longer forced, since an upload.
+    Released(Forced),
+    /// What it keeps for its next start.
+    Settings(Settings),
+    /// A firmware is on its way.
+    Flashing(unoclp_boot::Progress),
+    /// What was ordered is done.
+    Done(Done),
+    /// What was ordered is not done.
+    Undone(&'e Undone),
 }
 
 /// Why there is no board.
@@ -28,47 +59,22 @@ pub enum Away {
     Gone(Failure),
 }
 
-/// What an order may have changed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Change {
-    /// Points: what is forced, or a preset.
-    Points,
-    /// Anything.
-    All,
-}
+/// Orders that wait, the next one first.
+pub type Orders = RefCell<VecDeque<Order>>;
 
 /// Who has a board watched: what is read of it, what is ordered, and who hears of it.
 pub trait Desk {
-    /// Something that is ordered of the board.
-    type Order;
-
     /// How much of the board is read, and what of that is read often.
     fn wants(&self) -> (Scope, Parts);
 
+    /// What is forced ends at the board after so many seconds without a request, 1 to 254.
+    fn end_forcing(&self) -> Option<u8>;
+
+    /// What is ordered.
+    fn orders(&self) -> &Orders;
+
     /// Hears this.
     fn hear(&self, event: Event<'_>);
-
-    /// Whether something is ordered.
-    fn has_orders(&self) -> bool;
-
-    /// The next that is ordered.
-    fn next(&self) -> Option<Self::Order>;
-
-    /// What it may change.
-    fn change(&self, order: &Self::Order) -> Change;
-
-    /// Does it, and tells whoever has ordered it what has come of it.
-    ///
-    /// # Errors
-    /// By which the board is lost.
-    fn fulfil(
-        &self,
-        client: &mut Client,
-        order: Self::Order,
-    ) -> impl Future<Output = Result<(), Failure>>;
-
-    /// It was ordered, and is not done: there is no board.
-    fn undone(&self, order: Self::Order, why: &Away);
 }
 
 /// Time until a board that is lost is sought again.
@@ -77,25 +83,51 @@ const AGAIN: Duration = Duration::from_secs(1);
 /// Finds the board, watches it, and does what is ordered, until the line is gone. One that has probably been `reset` is given
 /// the time to start.
 pub async fn talk(client: &mut Client, desk: &impl Desk, mut reset: bool) {
+    let wants_firmware = || matches!(desk.orders().borrow().front(), Some(Order::Flash(_)));
     loop {
-        let away = match find(client, reset).await {
-            Ok(identity) => {
-                desk.hear(Event::Found(identity));
-                Away::Gone(watch(client, desk).await)
-            }
-            Err(why) => Away::NotFound(why),
-        };
-        desk.hear(Event::Lost(&away));
-        // Nothing that was ordered is done behind a person's back, once the board is there again.
-        while let Some(order) = desk.next() {
-            desk.undone(order, &away);
+        // A board that gets a firmware need not be found before.
+        if let Some(found) = unless(find(client, reset), wants_firmware).await {
+            let away = match found {
+                Ok(identity) => {
+                    desk.hear(Event::Found(&identity));
+                    Away::Gone(watch(client, desk).await)
+                }
+                Err(why) => Away::NotFound(why),
+            };
+            desk.hear(Event::Lost(&away));
+            leave(client, desk, &away).await;
         }
-        if let Err(Failure::Lost(_)) = client.pause(AGAIN, || false).await {
+        while wants_firmware() {
+            if let Some(order) = next(desk) {
+                drop(fulfil(client, desk, &order).await);
+            }
+        }
+        if let Err(Failure::Lost(_)) = client.pause(AGAIN, wants_firmware).await {
             return;
         }
         // A request would disturb the boot loader of a board that comes back.
         reset = true;
     }
+}
+
+/// Nothing that was ordered is done behind a person's back, once the board is there again.
+async fn leave(client: &mut Client, desk: &impl Desk, away: &Away) {
+    while let Some(order) = next(desk) {
+        match order {
+            Order::Flash(_) => drop(fulfil(client, desk, &order).await),
+            _ => desk.hear(Event::Undone(&Undone::Away(away.clone()))),
+        }
+    }
+}
+
+/// What this comes to, unless something is so before.
+async fn unless<T>(what: impl Future<Output = T>, is_so: impl Fn() -> bool) -> Option<T> {
+    let mut what = pin!(what);
+    poll_fn(|context| match is_so() {
+        true => Poll::Ready(None),
+        false => what.as_mut().poll(context).map(Some),
+    })
+    .await
 }
 
 /// Reads the board again and again, and does what is ordered in between; says how it was lost.
@@ -112,14 +144,38 @@ pub async fn watch(client: &mut Client, desk: &impl Desk) -> Failure {
 async fn round(client: &mut Client, desk: &impl Desk, live: &mut Live) -> Result<(), Failure> {
     let (scope, parts) = desk.wants();
     desk.hear(Event::Seen(live.round(client, scope, parts).await?));
-    live.pause(client, || desk.has_orders()).await?;
+    live.pause(client, || !desk.orders().borrow().is_empty())
+        .await?;
     // What they bring about is shown at once.
-    while let Some(order) = desk.next() {
-        match desk.change(&order) {
+    while let Some(order) = next(desk) {
+        match order.change() {
             Change::Points => live.points_have_changed(),
             Change::All => live.all_has_changed(),
         }
-        desk.fulfil(client, order).await?;
+        fulfil(client, desk, &order).await?;
     }
     Ok(())
+}
+
+fn next(desk: &impl Desk) -> Option<Order> {
+    desk.orders().borrow_mut().pop_front()
+}
+
+/// Does what is ordered, and tells what comes of it.
+async fn fulfil(client: &mut Client, desk: &impl Desk, order: &Order) -> Result<(), Failure> {
+    let tell = &mut |event: Event<'_>| desk.hear(event);
+    match order.fulfil(client, desk.end_forcing(), tell).await {
+        Ok(done) => desk.hear(Event::Done(done)),
+        Err(undone) => {
+            desk.hear(Event::Undone(&undone));
+            if let Some(why) = undone.lost() {
+                return Err(why);
+            }
+        }
+    }
+    match order {
+        // The board begins again: a request would disturb its boot loader.
+        Order::Flash(_) => Err(Failure::Silent),
+        _ => Ok(()),
+    }
 }

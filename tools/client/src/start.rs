@@ -41,6 +41,14 @@ pub async fn find(client: &mut Client, may_be_reset: bool) -> Result<Identity, N
             other => break other,
         }
     };
+    judged(identity)
+}
+
+/// Who is there, by the answer to the question what it is.
+///
+/// # Errors
+/// [`NotFound`].
+pub fn judged(identity: Result<Identity, Failure>) -> Result<Identity, NotFound> {
     match identity {
         Ok(identity) if identity.vendor == VENDOR => Ok(identity),
         Ok(identity) => Err(NotFound::Foreign(Some(identity))),

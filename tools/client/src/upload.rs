@@ -5,7 +5,12 @@
 
 use crate::client::{Client, Failure};
 use crate::diagnostics::{Diagnostics, Kept, Trouble};
+use crate::lock;
 use crate::map::{BLOCK_BYTES, Command, State, flag, holding};
+use crate::order::Undone;
+use crate::session::Event;
+use crate::settings::read_lock;
+use crate::watch::{Forced, command, release};
 use std::time::Duration;
 use unoclp_core::isa::{Opcode, Operand, POPPED, Value};
 use unoclp_core::{Instruction, Program};
@@ -41,6 +46,8 @@ pub enum Pass {
 pub enum Broken {
     /// The board does not begin one.
     NotBegun,
+    /// The board is in a state that this version does not know.
+    UnknownState,
     /// The board is locked against it.
     Locked,
     /// The firmware of the board knows not all instructions of the program.
@@ -156,22 +163,89 @@ impl Codes {
     }
 }
 
-/// Uploads the codes of a program whose text is known; gives how the board keeps it. The board must not be in RUN.
-///
-/// # Errors
-/// [`Broken`]; a fault by its line in the text.
-pub async fn upload_program(
-    client: &mut Client,
-    program: &Program<'_>,
-    text: &[u8],
-    progress: &mut dyn FnMut(Progress),
-) -> Result<Kept, Broken> {
-    let codes = Codes::of(program, text);
-    let kept = upload(client, codes.bytes(), Kept::of(program), progress).await;
-    kept.map_err(|broken| match broken {
-        Broken::Fault(trouble) => Broken::Fault(codes.in_text(trouble)),
-        other => other,
-    })
+/// A program that is to be put on a board, as it is ordered.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Upload {
+    codes: Codes,
+    /// How a board of this version keeps it.
+    kept: Kept,
+    /// The first form of stored programs that has all of its instructions.
+    needs: u8,
+    /// The board stays in STOP then.
+    pub stays: bool,
+    /// What is forced is let go, once the program is stored.
+    pub releases: bool,
+}
+
+/// The form in which the oldest firmware keeps programs.
+const OLDEST_FORM: u8 = 1;
+
+impl Upload {
+    /// Of a program whose text is known. The board runs it then, and what is forced stays so.
+    pub fn of(program: &Program<'_>, text: &[u8]) -> Upload {
+        Upload {
+            codes: Codes::of(program, text),
+            kept: Kept::of(program),
+            needs: needs(program),
+            stays: false,
+            releases: false,
+        }
+    }
+
+    /// Puts it on the board, whatever that does now; tells how far it is, and gives what has become of the board.
+    ///
+    /// # Errors
+    /// [`Undone`]; a fault by its line in the text.
+    pub async fn put(
+        &self,
+        client: &mut Client,
+        tell: &mut dyn FnMut(Event<'_>),
+    ) -> Result<Behind, Undone> {
+        // A board that takes no upload is not stopped for one.
+        if read_lock(client).await? & lock::UPLOAD != 0 {
+            return Err(Broken::Locked.into());
+        }
+        if self.needs > OLDEST_FORM {
+            let board = Diagnostics::read(client).await?.program.version;
+            if board < self.needs {
+                let needs = self.needs;
+                return Err(Broken::TooOld { board, needs }.into());
+            }
+        }
+        let forced = Forced::read(client).await?;
+        let before = stop(client).await.map_err(Undone::NotStopped)?;
+        let state = before.state.ok_or(Broken::UnknownState)?;
+        tell(Event::Stopped {
+            before: &before,
+            forced,
+        });
+        let kept = self
+            .send(client, &mut |progress| tell(Event::Sent(progress)))
+            .await?;
+        tell(Event::Stored(kept));
+        if self.releases && forced.any() {
+            release(client).await?;
+            tell(Event::Released(forced));
+        }
+        let behind = go_on(client, state, kept, self.stays).await;
+        behind.map_err(Undone::NotStarted)
+    }
+
+    /// Sends its codes to a board that is not in RUN; gives how the board keeps it.
+    ///
+    /// # Errors
+    /// [`Broken`]; a fault by its line in the text.
+    pub async fn send(
+        &self,
+        client: &mut Client,
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<Kept, Broken> {
+        let kept = upload(client, self.codes.bytes(), self.kept, progress).await;
+        kept.map_err(|broken| match broken {
+            Broken::Fault(trouble) => Broken::Fault(self.codes.in_text(trouble)),
+            other => other,
+        })
+    }
 }
 
 /// Uploads a text as it is, which a board of this version will keep as `sent`; gives how the board keeps it.
@@ -185,7 +259,7 @@ pub async fn upload(
     sent: Kept,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Kept, Broken> {
-    let begun = client.set_word(holding::COMMAND, Command::Upload as u16);
+    let begun = command(client, Command::Upload);
     match begun.await {
         Ok(()) => {}
         Err(Failure::Refused(Exception::IllegalFunction)) => return Err(Broken::Locked),
@@ -259,7 +333,7 @@ pub async fn end(client: &mut Client) -> Result<Diagnostics, Failure> {
     if !board.has(flag::UPLOAD) {
         return Ok(board);
     }
-    let ended = client.set_word(holding::COMMAND, Command::Stop as u16);
+    let ended = command(client, Command::Stop);
     match ended.await {
         // Where commands are locked it ends by itself, as no more blocks come.
         Ok(()) | Err(Failure::Refused(Exception::IllegalFunction)) => {}
@@ -286,13 +360,13 @@ fn explain(board: &Diagnostics, last: bool, sent: Kept) -> Result<Kept, Broken> 
 pub async fn stop(client: &mut Client) -> Result<Diagnostics, Failure> {
     let before = Diagnostics::read(client).await?;
     if before.state == Some(State::Run) {
-        let stopped = client.set_word(holding::COMMAND, Command::Stop as u16);
+        let stopped = command(client, Command::Stop);
         stopped.await?;
     }
     Ok(before)
 }
 
-/// What became of the board behind an upload.
+/// What became of the board after an upload.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Behind {
     /// It runs the program.
@@ -329,7 +403,7 @@ pub async fn go_on(
         if stays {
             return Ok(Behind::Faulty);
         }
-        let restarted = client.set_word(holding::COMMAND, Command::Restart as u16);
+        let restarted = command(client, Command::Restart);
         restarted.await?;
         let after = await_start(client).await?;
         return Ok(match (after.trouble, after.state) {
@@ -345,7 +419,7 @@ pub async fn go_on(
     if stays {
         return Ok(Behind::Stop);
     }
-    let run = client.set_word(holding::COMMAND, Command::Run as u16);
+    let run = command(client, Command::Run);
     match run.await {
         Ok(()) => runs(client).await,
         // Locked commands are refused before the board looks at A5.

@@ -1,4 +1,4 @@
-//! One reading of all that a screen shows, and what may be wished of the board meanwhile.
+//! One reading of all that a screen shows; commands and forces.
 
 use crate::client::{Client, Failure, if_there};
 use crate::diagnostics::Diagnostics;
@@ -232,50 +232,43 @@ impl Reading {
     }
 }
 
-/// What may be asked of a board that is watched.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wish {
-    /// One of the commands.
-    Command(Command),
-    /// Force the point with this index, or let it go.
-    Force(Side, u8, Option<bool>),
-    /// Let all points go.
-    Release,
+/// Has the board do one of the commands.
+///
+/// # Errors
+/// [`Failure`]; what is refused with 04 can be done in another state only.
+pub async fn command(client: &mut Client, command: Command) -> Result<(), Failure> {
+    client.set_word(holding::COMMAND, command as u16).await
 }
 
-impl Wish {
-    /// Does it; what it forces ends at the board after so many seconds without a request, 1 to 254, where its firmware has
-    /// an end of forcing.
-    ///
-    /// # Errors
-    /// As [`fulfil`](Wish::fulfil).
-    pub async fn fulfil_until(self, client: &mut Client, ends: Option<u8>) -> Result<(), Failure> {
-        if let (Wish::Force(_, _, Some(_)), Some(seconds)) = (self, ends) {
-            if_there(client.set_word(holding::FORCING_ENDS, seconds.into()).await)?;
-        }
-        self.fulfil(client).await
+/// Forces the point with this index, from 0, or lets it go. What is forced ends at the board after so many seconds without
+/// a request, 1 to 254, where its firmware has an end of forcing.
+///
+/// # Errors
+/// [`Failure`].
+pub async fn force(
+    client: &mut Client,
+    side: Side,
+    index: u8,
+    to: Option<bool>,
+    ends: Option<u8>,
+) -> Result<(), Failure> {
+    if let (Some(_), Some(seconds)) = (to, ends) {
+        if_there(client.set_word(holding::FORCING_ENDS, seconds.into()).await)?;
     }
+    // Another client may force other points.
+    let mut forces = forces(client, side).await?;
+    forces.set(index, to);
+    let words = [forces.points, forces.to];
+    client.set_words(side.span(), &words).await
+}
 
-    /// Does it.
-    ///
-    /// # Errors
-    /// [`Failure`]; what is refused with 04 can be done in another state only.
-    pub async fn fulfil(self, client: &mut Client) -> Result<(), Failure> {
-        match self {
-            Wish::Command(command) => client.set_word(holding::COMMAND, command as u16).await,
-            Wish::Force(side, index, to) => {
-                // Another client may force other points.
-                let mut forces = forces(client, side).await?;
-                forces.set(index, to);
-                let words = [forces.points, forces.to];
-                client.set_words(side.span(), &words).await
-            }
-            Wish::Release => {
-                client.set_words(holding::FORCED_INPUTS, &[0, 0]).await?;
-                client.set_words(holding::FORCED_OUTPUTS, &[0, 0]).await
-            }
-        }
-    }
+/// Lets all points go.
+///
+/// # Errors
+/// [`Failure`].
+pub async fn release(client: &mut Client) -> Result<(), Failure> {
+    client.set_words(holding::FORCED_INPUTS, &[0, 0]).await?;
+    client.set_words(holding::FORCED_OUTPUTS, &[0, 0]).await
 }
 
 async fn forces(client: &mut Client, side: Side) -> Result<Forces, Failure> {

@@ -8,6 +8,7 @@ use crate::seal::{Seal, sealed};
 use crate::written_in::WrittenIn;
 use std::collections::BTreeMap;
 use unoclp_checked::{Checked, SourceMap};
+use unoclp_core::isa::Opcode;
 use unoclp_core::{Board, Fault, Program};
 use unoclp_draw::{Ladder, Names};
 use unoclp_lang::{Dialect, Holding, TextLanguage, Told, Trace, Variable};
@@ -115,6 +116,16 @@ impl Source {
             Language::Numeric => Seal::of(&self.code),
             _ => Seal::None,
         }
+    }
+
+    /// Whether its ladder is none that a person would draw: a compiler wrote it with instructions that only a compiler uses.
+    pub fn is_code(&self) -> bool {
+        let is_compiled = !matches!(self.language, Language::Numeric | Language::Il { .. });
+        let is_code = |opcode| {
+            use Opcode::{LoadTable, Push, StoreTable};
+            matches!(opcode, Push | LoadTable | StoreTable)
+        };
+        is_compiled && self.program().steps().any(|step| is_code(step.opcode))
     }
 
     /// Whether it was written in a language that is compiled.

@@ -1,7 +1,5 @@
 //! What may stand in an ask.
 
-#[cfg(feature = "full")]
-use crate::draw::As;
 use crate::draw::Speak;
 use crate::facts;
 pub use crate::given::Given;
@@ -57,6 +55,7 @@ fields! {
     bool, "boolean", Given::truth;
     Option<bool>, "boolean?", Given::truth_if;
     u8, "number", Given::number;
+    u16, "number", Given::number;
     u32, "number", Given::number;
     i32, "number", Given::number;
     usize, "number", Given::number;
@@ -77,7 +76,6 @@ fields! {
 fields! {
     Option<Given>, "Act | null", Given::below_if;
     Log, "readonly Act[]", |given, key| given.list(key).map(Log);
-    As, "As", |given, _| As::of(given);
     Blocks, "CardImage[\"blocks\"]", |given, _| crate::card::blocks(given).map(Blocks);
     Text, "Text", |given, key| given.below(key).map(Text);
 }

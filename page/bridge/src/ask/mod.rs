@@ -3,6 +3,7 @@
 //!
 //! - `table`: the asks
 //! - `field`: what may stand in one, how it is read, and what TypeScript calls it
+//! - `said`: what is one of several in one: acts, orders
 //! - `contract`: the table in TypeScript; `sample`: asks made at random
 //!
 //! Owns the form of requests. Must not know what is done for one.
@@ -10,11 +11,16 @@
 #[cfg(test)]
 mod contract;
 mod field;
+mod said;
 #[cfg(test)]
 mod sample;
 mod table;
 
-pub use field::{Columns, Given as Below};
+pub use field::{Columns, Field, Given as Below};
+pub use said::OrNull;
+pub(crate) use said::said;
+#[cfg(test)]
+pub use said::{Said, WORDS};
 pub use table::{Answer, First, MORE};
 #[cfg(feature = "full")]
 pub use table::{More, MoreAnswer};
@@ -94,9 +100,9 @@ use {asks, key};
 /// A row of the table.
 #[cfg(test)]
 pub struct Row {
-    about: &'static str,
-    ask: &'static str,
+    pub about: &'static str,
+    pub ask: &'static str,
     /// Keys, and what TypeScript calls what stands there; what may be left out ends in `?`.
-    fields: Vec<(&'static str, &'static str)>,
-    answer: String,
+    pub fields: Vec<(&'static str, &'static str)>,
+    pub answer: String,
 }

@@ -1,11 +1,15 @@
 //! Asks that are made at random of the table, so that each new one is asked from its birth: what is right is answered,
 //! and what is not quite right is told.
 
-use super::{First, More, Row};
+use super::{First, More, Row, WORDS};
+use crate::board::orders;
+use crate::edit::acts;
+use crate::given::Given;
 use crate::{Boards, answer};
 use serde_json::{Map, Value, json};
 use std::path::Path;
 use std::{env, fs};
+use unoclp_core::Board;
 use unoclp_testing::{Random, rounds};
 
 const MOTOR: &str = include_str!("../../../../programs/plants/motor.toml");
@@ -33,7 +37,6 @@ impl Page {
             asked: Vec::new(),
         };
         page.board = page.ok(&json!({ "ask": "open", "core": true, "reset": false }));
-        page.ok(&json!({ "ask": "flash", "hex": HEX, "model": "uno" }));
         page
     }
 
@@ -110,13 +113,12 @@ impl Page {
             ("step" | "order" | "lose" | "close", "board") => self.board.clone(),
             ("board", "board") => self.any(&[json!("uno"), json!("nano"), json!("pc")]),
             (_, "board") => self.any(&[json!("uno"), json!("nano")]),
-            ("drawn", "as") => self.any(&[json!("il"), json!("numeric")]),
-            (_, "as") => {
-                let forms = ["ladder", "il", "st", "numeric", "svg", "xml"].map(Value::from);
-                self.any(&forms)
-            }
             (_, "base") => json!({ "name": "a.il", "text": "LD I1\nST Q1\n" }),
             (_, "log") => json!([{ "do": "insert", "what": "contact", "place": "behind" }]),
+            (_, "point") => json!("D1"),
+            (_, "number") => json!(1 + self.random.below(8)),
+            ("comment" | "title", "text") => json!("pump\nof a well"),
+            ("text", "text") => json!(program.1),
             (_, "act") => self.act(),
             (_, "order") => self.order(),
             (_, "blocks") => json!([[0, "00ff"], [7, ""]]),
@@ -138,7 +140,22 @@ impl Page {
                 "string" => json!("x"),
                 "number" => json!(self.random.below(200)),
                 "boolean" => json!(self.random.below(2) == 0),
+                "boolean | null" => self.any(&[json!(true), json!(false), Value::Null]),
+                "Edge | null" => self.any(&[json!("rising"), Value::Null]),
                 "Speak" => self.any(&[json!("en"), json!("pt")]),
+                "Settings" => {
+                    json!({ "address": 1, "rate": 9600, "parity": 0, "direction": false, "lock": null })
+                }
+                list if list.starts_with("readonly {") => {
+                    json!([{ "key": "point", "value": "I1" }])
+                }
+                word if WORDS.iter().any(|(name, _)| *name == word) => {
+                    let (_, words) = WORDS
+                        .iter()
+                        .find(|(name, _)| *name == word)
+                        .expect("it is there");
+                    json!(words[self.random.below(words.len())])
+                }
                 _ => panic!("nothing is known that could stand in {ask} {key}: {of}"),
             },
         })
@@ -160,27 +177,22 @@ impl Page {
         ])
     }
 
+    /// One of several that are told by a word, which is right.
+    fn one_of(&mut self, row: &Row) -> Value {
+        let mut one = Map::new();
+        one.insert("do".to_owned(), row.ask.into());
+        for (key, of) in &row.fields {
+            if let Some(value) = self.value(row.ask, key, of) {
+                one.insert((*key).to_owned(), value);
+            }
+        }
+        Value::Object(one)
+    }
+
     fn order(&mut self) -> Value {
-        let (name, text) = self.program();
-        let text = json!({ "ask": "text", "name": name, "text": text });
-        let version = self.ok(&text);
-        let settings =
-            json!({ "address": 1, "rate": 9600, "parity": 0, "direction": false, "lock": null });
-        self.any(&[
-            json!({ "do": "run" }),
-            json!({ "do": "stop" }),
-            json!({ "do": "scan" }),
-            json!({ "do": "restart" }),
-            json!({ "do": "release" }),
-            json!({ "do": "settings" }),
-            json!({ "do": "settle", "settings": settings }),
-            json!({ "do": "force", "output": false, "number": 1, "to": true }),
-            json!({ "do": "press", "input": 1, "closed": true }),
-            json!({ "do": "turn", "input": 0, "reading": 512 }),
-            json!({ "do": "set", "point": "D1", "value": -7 }),
-            json!({ "do": "upload", "version": version, "stay": false }),
-            json!({ "do": "watch", "version": version }),
-        ])
+        let rows = orders::declared().rows;
+        let at = self.random.below(rows.len());
+        self.one_of(&rows[at])
     }
 
     /// An ask of this row that is right.
@@ -205,6 +217,26 @@ impl Page {
 
 fn rows() -> Vec<Row> {
     First::rows().into_iter().chain(More::rows()).collect()
+}
+
+/// What a drawing does with it depends on where its cursor is; what is asked is understood anywhere.
+#[test]
+fn each_act_and_each_order_that_is_right_is_read() {
+    let mut page = Page::new(19);
+    for _ in 0..rounds(20) {
+        for row in &acts::declared().rows {
+            let act = page.one_of(row);
+            let mut given = Given::of(act.clone()).expect("an object");
+            let read = acts::read(&mut given, Board::UNO);
+            assert!(read.is_ok(), "{act}: {:?}", read.err());
+        }
+        for row in &orders::declared().rows {
+            let order = page.one_of(row);
+            let mut given = Given::of(order.clone()).expect("an object");
+            let read = orders::read(&mut given, &mut page.boards.workspace);
+            assert!(read.is_ok(), "{order}: {:?}", read.err());
+        }
+    }
 }
 
 #[test]

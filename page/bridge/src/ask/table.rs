@@ -17,8 +17,6 @@ use crate::edit::View;
 use crate::exercise::{self, Fared, Outcome};
 use crate::facts::Facts;
 #[cfg(feature = "full")]
-use crate::flash;
-#[cfg(feature = "full")]
 use crate::machine::{Known, Look, Searched};
 use crate::program::Checked;
 #[cfg(feature = "full")]
@@ -26,6 +24,8 @@ use crate::replay::Replay;
 use unoclp_core::Board;
 #[cfg(feature = "full")]
 use unoclp_edit::Shelf;
+#[cfg(feature = "full")]
+use unoclp_program::drawn::WriteAs;
 use unoclp_workspace::Version;
 
 asks! {
@@ -55,7 +55,7 @@ asks! {
 }
 
 /// What takes the module that has everything.
-pub const MORE: [&str; 28] = [
+pub const MORE: [&str; 25] = [
     "list",
     "adapt",
     "pages",
@@ -76,9 +76,6 @@ pub const MORE: [&str; 28] = [
     "machineName",
     "machineReset",
     "machineClose",
-    "flash",
-    "flashStep",
-    "flashLose",
     "palette",
     "draw",
     "edit",
@@ -139,12 +136,6 @@ asks! {
     MachineReset "machineReset" {} -> ();
     /// There is none any longer.
     MachineClose "machineClose" {} -> ();
-    /// Firmware for a board, as Intel hex; the answer is the rate of its boot loader.
-    Flash "flash" { hex: String, model: String } -> u32;
-    /// A step of that.
-    FlashStep "flashStep" { now: f64, came: Vec<u8> } -> flash::Step;
-    /// The line is gone meanwhile, and why.
-    FlashLose "flashLose" { why: String } -> ();
     /// The elements that can be drawn.
     Palette "palette" {} -> Vec<Shelf>;
     /// A drawing, of a text and what was done to it; `name`: what its file is called now.
@@ -152,7 +143,7 @@ asks! {
     /// Something done to it; what a page shows of it then.
     Edit "edit" { act: Option<Below>, name: Option<String>, board: Board, width: Columns, speak: Speak } -> Box<View>;
     /// Its text in another form.
-    Drawn "drawn" { form as "as": String } -> String;
+    Drawn "drawn" { form as "as": WriteAs } -> String;
     /// What of it has these words in it.
     Find "find" { words: String } -> Vec<u32>;
 }

@@ -4,15 +4,18 @@
 
 use super::desk::Desk;
 use super::news::{News, Seen, Trouble};
-use super::order::Order;
+use super::order::Ordered;
 use super::watched::Watched;
 use crate::facts::numbers;
 #[cfg(feature = "full")]
 use crate::machine::Machine;
 use crate::program::source;
 use crate::words::{self, Both, both};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use unoclp_client::diagnostics::{self, Kept};
+use unoclp_client::map::Command;
+use unoclp_client::watch::Side;
+use unoclp_client::{Order, words as told};
 use unoclp_core::{Board, Fault, Image, Inputs, Millis, Plc, Point, Snapshot};
 use unoclp_exercise::live::Flow;
 #[cfg(feature = "full")]
@@ -43,6 +46,8 @@ pub struct Core {
     board: Board,
     state: State,
     program: Option<Program>,
+    /// What is ordered, each with its number.
+    orders: VecDeque<(u32, Ordered)>,
     /// ms of the page's clock at the last scan; none before the first step.
     last: Option<u64>,
     /// ms since it began.
@@ -67,6 +72,7 @@ impl Core {
             board,
             state: State::Empty,
             program: None,
+            orders: VecDeque::new(),
             last: None,
             uptime: 0,
             inputs: Inputs::default(),
@@ -75,11 +81,16 @@ impl Core {
         }
     }
 
+    /// Has something done in the next step; the news speak of it by this number.
+    pub fn order(&mut self, number: u32, ordered: Ordered) {
+        self.orders.push_back((number, ordered));
+    }
+
     /// Does what was ordered, scans up to this time in ms, and tells what came of it; gives the time of its next step.
     pub fn step(&mut self, now: u64, desk: &Desk, machine: &mut Option<Machine>) -> u64 {
         let passed = now.saturating_sub(*self.last.get_or_insert(now));
         self.last = Some(now);
-        for (order, what) in desk.orders.take() {
+        while let Some((order, what)) = self.orders.pop_front() {
             desk.tell(match self.fulfil(what) {
                 Ok(said) => News::Done { order, said },
                 Err(why) => News::Undone { order, why },
@@ -120,35 +131,49 @@ impl Core {
     #[cfg(not(feature = "full"))]
     fn drive(&mut self, _: &mut Machine) {}
 
-    fn fulfil(&mut self, order: Order) -> Result<Option<Both>, Both> {
-        match order {
-            Order::Run | Order::Restart => self.begin(State::Run)?,
-            Order::Stop => self.begin(State::Stop)?,
-            Order::Scan => match self.state {
-                State::Stop => self.scan(),
-                _ => return Err(both(words::refused_now)),
-            },
-            Order::Release => self.forced = Default::default(),
-            Order::Force { output, number, to } => self.force(output, number, to)?,
-            Order::Set { point, value } => self.set(&point, value)?,
-            Order::Press { input, closed } => {
+    fn fulfil(&mut self, ordered: Ordered) -> Result<Option<Both>, Both> {
+        match ordered {
+            Ordered::Board(order, text) => self.fulfil_of_board(&order, text.as_deref())?,
+            Ordered::Press(input, closed) => {
                 if let Some(point) = Point::new(input, self.board.inputs) {
                     self.inputs.points.set(point, closed);
                 }
             }
-            Order::Turn { input, reading } => {
+            Ordered::Turn(input, reading) => {
                 if let Some(place) = self.inputs.analogue.get_mut(usize::from(input)) {
                     *place = reading.min(1023);
                 }
             }
-            Order::Upload { text, stay } => self.load(&text, stay)?,
             // It knows what it runs.
-            Order::Watch { .. } => {}
-            Order::Settings => return Err(both(words::no_settings)),
-            #[cfg(feature = "full")]
-            Order::Settle { .. } => return Err(both(words::no_settings)),
+            Ordered::Watch(_) => {}
         }
         Ok(None)
+    }
+
+    /// Does what a board at a line would do too.
+    fn fulfil_of_board(&mut self, order: &Order, text: Option<&Analysis>) -> Result<(), Both> {
+        match order {
+            Order::Command(Command::Run | Command::Restart) => self.begin(State::Run),
+            Order::Command(Command::Stop) => self.begin(State::Stop),
+            Order::Command(Command::SingleScan) if self.state == State::Stop => {
+                self.scan();
+                Ok(())
+            }
+            Order::Release => {
+                self.forced = Default::default();
+                Ok(())
+            }
+            Order::Force(side, index, to) => {
+                self.force(*side == Side::Outputs, index.saturating_add(1), *to)
+            }
+            Order::Set(point, value) => self.set(*point, *value),
+            Order::Upload(upload) => match text {
+                Some(text) => self.load(text, upload.stays),
+                None => Err(both(words::faulty)),
+            },
+            Order::Settings | Order::Settle(_) => Err(both(words::no_settings)),
+            Order::Command(_) | Order::Flash(_) => Err(both(told::refused_now)),
+        }
     }
 
     fn load(&mut self, text: &Analysis, stay: bool) -> Result<(), Both> {
@@ -205,7 +230,7 @@ impl Core {
         } else {
             self.board.inputs
         };
-        Point::new(number, last).ok_or_else(|| both(words::refused_address))?;
+        Point::new(number, last).ok_or_else(|| both(told::refused_address))?;
         let [inputs, outputs] = &mut self.forced;
         let forced = if output { outputs } else { inputs };
         match to {
@@ -216,77 +241,75 @@ impl Core {
     }
 
     /// Sets a point between two scans; of a timer or counter its preset.
-    fn set(&mut self, name: &str, value: i32) -> Result<(), Both> {
+    fn set(&mut self, point: Address, value: i32) -> Result<(), Both> {
         let program = self.program.as_mut();
         let program = program.ok_or_else(|| both(words::none_given))?;
         let (board, now) = (self.board, self.uptime);
-        let is_set = Address::parse(name).is_some_and(|point| {
-            program.with_plc(|plc| match point {
-                Address::Marker(number) if (1..=board.markers).contains(&number) => {
-                    plc.set_marker(number, value != 0);
-                    true
-                }
-                Address::Register(number) if number >= 1 => {
-                    plc.set_register(number, value);
-                    usize::from(number) <= plc.registers().len()
-                }
-                Address::Output(number) => Point::new(number, board.outputs).is_some_and(|point| {
-                    let mut outputs = plc.outputs();
-                    outputs.set(point, value != 0);
-                    adopt(
-                        plc,
-                        Snapshot {
-                            outputs,
-                            ..Snapshot::default()
-                        },
-                        now,
-                    );
-                    true
-                }),
-                Address::Timer(number) => {
-                    let timers = plc.timers(now).map(|timer| (timer.elapsed, timer.preset));
-                    let mut timers: Vec<(Millis, Millis)> = timers.collect();
-                    let preset = nth(&mut timers, number).map(|(_, preset)| preset);
-                    let is = preset
-                        .map(|preset| *preset = value.max(0).cast_unsigned())
-                        .is_some();
-                    let outputs = plc.outputs();
-                    adopt(
-                        plc,
-                        Snapshot {
-                            outputs,
-                            timers: &timers,
-                            ..Snapshot::default()
-                        },
-                        now,
-                    );
-                    is
-                }
-                Address::Counter(number) => {
-                    let counters = plc
-                        .counters()
-                        .map(|counter| (counter.value, counter.preset));
-                    let mut counters: Vec<(i32, i32)> = counters.collect();
-                    let preset = nth(&mut counters, number).map(|(_, preset)| preset);
-                    let is = preset.map(|preset| *preset = value).is_some();
-                    let outputs = plc.outputs();
-                    adopt(
-                        plc,
-                        Snapshot {
-                            outputs,
-                            counters: &counters,
-                            ..Snapshot::default()
-                        },
-                        now,
-                    );
-                    is
-                }
-                _ => false,
-            })
+        let is_set = program.with_plc(|plc| match point {
+            Address::Marker(number) if (1..=board.markers).contains(&number) => {
+                plc.set_marker(number, value != 0);
+                true
+            }
+            Address::Register(number) if number >= 1 => {
+                plc.set_register(number, value);
+                usize::from(number) <= plc.registers().len()
+            }
+            Address::Output(number) => Point::new(number, board.outputs).is_some_and(|point| {
+                let mut outputs = plc.outputs();
+                outputs.set(point, value != 0);
+                adopt(
+                    plc,
+                    Snapshot {
+                        outputs,
+                        ..Snapshot::default()
+                    },
+                    now,
+                );
+                true
+            }),
+            Address::Timer(number) => {
+                let timers = plc.timers(now).map(|timer| (timer.elapsed, timer.preset));
+                let mut timers: Vec<(Millis, Millis)> = timers.collect();
+                let preset = nth(&mut timers, number).map(|(_, preset)| preset);
+                let is = preset
+                    .map(|preset| *preset = value.max(0).cast_unsigned())
+                    .is_some();
+                let outputs = plc.outputs();
+                adopt(
+                    plc,
+                    Snapshot {
+                        outputs,
+                        timers: &timers,
+                        ..Snapshot::default()
+                    },
+                    now,
+                );
+                is
+            }
+            Address::Counter(number) => {
+                let counters = plc
+                    .counters()
+                    .map(|counter| (counter.value, counter.preset));
+                let mut counters: Vec<(i32, i32)> = counters.collect();
+                let preset = nth(&mut counters, number).map(|(_, preset)| preset);
+                let is = preset.map(|preset| *preset = value).is_some();
+                let outputs = plc.outputs();
+                adopt(
+                    plc,
+                    Snapshot {
+                        outputs,
+                        counters: &counters,
+                        ..Snapshot::default()
+                    },
+                    now,
+                );
+                is
+            }
+            _ => false,
         });
         match is_set {
             true => Ok(()),
-            false => Err(both(|lang| words::no_point(lang, name))),
+            false => Err(both(|lang| told::no_point(lang, point))),
         }
     }
 

@@ -1,31 +1,25 @@
 //! Conversations with boards, simulated or real: bytes and times in, bytes and news out.
 //!
 //! - `watched`: the program that a board is said to run, and what of it is shown live
-//! - `talk`: what is said, as a view of the client's session
-//! - `order`, `wanted`: what may be ordered; `fulfil`, `settle`: how it is done; `undone`: why not
+//! - `order`, `wanted`: what a page may order; how it is done is the client's
 //! - `news`: what a page is told
 //! - `core`: a board that is none: the core runs the program, and there is no line
-//! - `desk`: what lies between a conversation and its page
+//! - `desk`: what lies between a conversation and its page: a view of the client's session
 //!
 //! A conversation goes on until it is closed: a board that is lost is sought again.
 
 mod core;
 mod desk;
-mod fulfil;
 mod news;
 mod order;
-#[cfg(feature = "full")]
-mod settle;
-mod talk;
-mod undone;
-#[cfg(feature = "full")]
 mod wanted;
 mod watched;
 
-pub use order::Order;
+pub use order::{Ordered, orders};
 
 use crate::answer::answer;
 use crate::clock::{NEVER, time, whole_ms};
+use crate::program::source;
 use crate::words::{self, Both, No, both};
 use core::Core;
 use desk::Desk;
@@ -35,6 +29,7 @@ use std::rc::Rc;
 use unoclp_client::session::talk;
 use unoclp_client::{Conversation, Line, Next, Parity, Patience};
 use unoclp_core::Board;
+use unoclp_program::{Lang, Source, not_sent};
 use unoclp_workspace::{Analysis, Workspace};
 use watched::Watched;
 
@@ -55,7 +50,13 @@ pub struct Open {
 answer! {
     /// A step of a conversation.
     pub struct Step as "Step" {
-        /// To be sent now.
+        /// How bytes are sent from now on, bits per second,
+        rate: u32,
+        /// and 0 without parity, 1 even, 2 odd.
+        parity: u16,
+        /// First reset the board, and throw away what has come before.
+        reset: bool,
+        /// Then send this.
         send: Vec<u8>,
         /// The next step comes at this time, in whole ms, or as soon as bytes have come or something is ordered.
         until: u64,
@@ -81,8 +82,6 @@ pub struct Boards {
     sessions: BTreeMap<u32, Session>,
     /// Conversations and orders are numbered by this.
     last: u32,
-    #[cfg(feature = "full")]
-    pub(crate) flash: crate::flash::Flash,
     /// A page has one machine. The core gives it its outputs, and takes its inputs.
     #[cfg(feature = "full")]
     pub(crate) machine: Option<crate::machine::Machine>,
@@ -101,8 +100,6 @@ impl Default for Boards {
             workspace: Workspace::new(Rc::new(compilers)),
             sessions: BTreeMap::new(),
             last: 0,
-            #[cfg(feature = "full")]
-            flash: crate::flash::Flash::default(),
             #[cfg(feature = "full")]
             machine: None,
             #[cfg(feature = "full")]
@@ -171,19 +168,25 @@ impl Boards {
         let session = self.sessions.get_mut(&board);
         let session = session.ok_or_else(|| both(|lang| words::no_board(lang, board)))?;
         let now = time(now);
-        let (send, until) = match &mut session.with {
+        let (step, until) = match &mut session.with {
             With::Line(conversation) => {
                 let step = conversation.step(now, came);
                 let until = match step.next {
                     Next::Wait(until) => whole_ms(until),
                     Next::Done(()) => NEVER,
                 };
-                (step.send, until)
+                (Some(step), until)
             }
-            With::Core(core) => (Vec::new(), core.step(whole_ms(now), &session.desk, machine)),
+            With::Core(core) => (None, core.step(whole_ms(now), &session.desk, machine)),
         };
+        let format = step
+            .as_ref()
+            .map_or(Line::default().format(), |step| step.format);
         Ok(Step {
-            send,
+            rate: format.rate,
+            parity: format.parity as u16,
+            reset: step.as_ref().is_some_and(|step| step.reset),
+            send: step.map(|step| step.send).unwrap_or_default(),
             until,
             news: session.desk.news.take(),
         })
@@ -192,11 +195,28 @@ impl Boards {
     /// Has something done by the board, as soon as it is its turn; gives the number by which the news speak of it.
     ///
     /// # Errors
-    /// Where there is no conversation.
-    pub fn order(&mut self, board: u32, order: Order) -> Result<u32, No> {
+    /// Where there is no conversation, or what is ordered is nothing for that board.
+    pub fn order(&mut self, board: u32, ordered: Ordered) -> Result<u32, No> {
         let number = self.number();
         let session = self.session(board)?;
-        session.desk.orders.borrow_mut().push_back((number, order));
+        let desk = &session.desk;
+        match (&mut session.with, ordered) {
+            (With::Core(core), ordered) => core.order(number, ordered),
+            (With::Line(_), Ordered::Board(order, text)) => {
+                if let Some(text) = &text {
+                    sent(source(text)?)?;
+                }
+                desk.order(number, order, text);
+            }
+            (With::Line(_), Ordered::Watch(text)) => {
+                desk.watched.replace(Some(Watched::new(&text)?));
+                let (order, said) = (number, None);
+                desk.tell(News::Done { order, said });
+            }
+            (With::Line(_), Ordered::Press(..) | Ordered::Turn(..)) => {
+                return Err(both(words::own_contacts).into());
+            }
+        }
         Ok(number)
     }
 
@@ -214,5 +234,13 @@ impl Boards {
     /// Ends a conversation.
     pub fn close(&mut self, board: u32) {
         self.sessions.remove(&board);
+    }
+}
+
+/// Sees that a program may go to a board.
+fn sent(source: &Source) -> Result<(), Both> {
+    match not_sent(source, Lang::En) {
+        Some(_) => Err(both(|lang| not_sent(source, lang).unwrap_or_default())),
+        None => Ok(()),
     }
 }

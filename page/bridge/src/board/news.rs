@@ -3,11 +3,12 @@
 use super::watched::Live;
 use crate::answer::{answer, spoken};
 use crate::facts::numbers;
-use crate::words::{self, Both, both};
+use crate::words::{Both, both};
 use unoclp_client::diagnostics::{self, Diagnostics};
 use unoclp_client::map::{State, cause, flag};
 use unoclp_client::settings::Settings;
 use unoclp_client::watch::{Forces, Meter, Reading};
+use unoclp_client::words;
 
 pub(super) use crate::program::Stored as Kept;
 
@@ -24,6 +25,8 @@ spoken! {
         Sent { order: u32, bytes: usize, of: usize },
         /// The board stores what was uploaded.
         Storing { order: u32 },
+        /// So many requests of so many have been answered on the way of a firmware.
+        Flashing { order: u32, done: usize, of: usize },
         /// What the board keeps since an upload.
         Stored(Kept),
         /// What the board keeps for its next start.

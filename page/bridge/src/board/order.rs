@@ -1,99 +1,98 @@
-//! What may be ordered of a board.
+//! What a page orders: of a board at a line, which the client knows; of what this computer runs in place of one; and of the page
+//! itself.
 
-#[cfg(feature = "full")]
 use super::wanted::Wanted;
-use crate::given::{Given, wrong};
-use crate::program::analysis;
-use crate::words::No;
+use crate::ask::{OrNull, said};
+use crate::program::{known, source};
+use crate::words::{No, both};
 use std::rc::Rc;
-use unoclp_workspace::{Analysis, Workspace};
+use unoclp_client::map::Command;
+use unoclp_client::upload::Upload;
+use unoclp_client::watch::Side;
+use unoclp_client::{Order, words as told};
+use unoclp_point::Address;
+use unoclp_workspace::{Analysis, Version, Workspace};
 
-/// What may be ordered of a board.
-pub enum Order {
-    /// RUN, from the beginning.
-    Run,
-    /// STOP.
-    Stop,
-    /// One single scan, in STOP.
-    Scan,
-    /// The whole start-up again.
-    Restart,
-    /// Force an input or output, from 1, or let it go.
-    Force {
-        output: bool,
-        number: u8,
-        to: Option<bool>,
-    },
-    /// Close the contact of an input, from 1, or open it; of the core alone: a board has contacts of its own.
-    Press { input: u8, closed: bool },
-    /// Turn the knob of an analogue input, from 0, to a reading; of the core alone.
-    Turn { input: u8, reading: u16 },
-    /// Let all points go.
-    Release,
-    /// Set an output, a marker, a register or a preset once.
-    Set { point: String, value: i32 },
-    /// Put this program on the board, and watch it from then on. It runs then, unless it stays in STOP.
-    Upload { text: Rc<Analysis>, stay: bool },
-    /// Watch this program from now on; it is said to be on the board.
-    Watch { text: Rc<Analysis> },
-    /// Read the settings.
-    Settings,
-    /// Change the settings: the lock holds at once, all else from the next start on.
-    #[cfg(feature = "full")]
-    Settle { settings: Wanted },
+/// What a page orders.
+pub enum Ordered {
+    /// Something of the board; of an upload the text.
+    Board(Order, Option<Rc<Analysis>>),
+    /// The contact of an input, from 1, closed or open; of the core alone: a board has contacts of its own.
+    Press(u8, bool),
+    /// The knob of an analogue input, from 0, at a reading; of the core alone.
+    Turn(u8, u16),
+    /// The program that is said to be on the board.
+    Watch(Rc<Analysis>),
 }
 
-impl Order {
-    /// As a request gives it.
-    ///
-    /// # Errors
-    /// Where there is no such order, it lacks something, or it takes the module that has everything.
-    pub fn of(mut given: Given, workspace: &mut Workspace) -> Result<Order, No> {
-        let mut known = |given: &mut Given| {
-            let analysis = analysis(given, workspace)?;
-            // What is wrong with a program is told when its turn comes.
-            analysis.check().ok_or(No::More)?;
-            Ok::<_, No>(analysis)
-        };
-        let what = given.text("do")?;
-        Ok(match what.as_str() {
-            "run" => Order::Run,
-            "stop" => Order::Stop,
-            "scan" => Order::Scan,
-            "restart" => Order::Restart,
-            "release" => Order::Release,
-            "settings" => Order::Settings,
-            "force" => Order::Force {
-                output: given.truth("output")?,
-                number: given.number("number")?,
-                to: given.truth_if("to")?,
-            },
-            "press" => Order::Press {
-                input: given.number("input")?,
-                closed: given.truth("closed")?,
-            },
-            "turn" => Order::Turn {
-                input: given.number("input")?,
-                reading: given.number("reading")?,
-            },
-            "set" => Order::Set {
-                point: given.text("point")?,
-                value: given.number("value")?,
-            },
-            "upload" => Order::Upload {
-                text: known(&mut given)?,
-                stay: given.truth_if("stay")?.unwrap_or_default(),
-            },
-            "watch" => Order::Watch {
-                text: known(&mut given)?,
-            },
-            #[cfg(not(feature = "full"))]
-            "settle" => return Err(No::More),
-            #[cfg(feature = "full")]
-            "settle" => Order::Settle {
-                settings: Wanted::of(&mut given.below("settings")?)?,
-            },
-            _ => return Err(wrong(&what).into()),
-        })
-    }
+said! {
+    /// What may be ordered of a board.
+    pub mod orders as "OrderGiven";
+    (workspace: &mut Workspace) -> Ordered;
+    /// RUN, from the beginning.
+    "run" {} => command(Command::Run);
+    "stop" {} => command(Command::Stop);
+    /// One single scan, in STOP.
+    "scan" {} => command(Command::SingleScan);
+    /// The whole start-up again.
+    "restart" {} => command(Command::Restart);
+    /// Lets all points go.
+    "release" {} => Ordered::Board(Order::Release, None);
+    /// Tells the settings.
+    "settings" {} => Ordered::Board(Order::Settings, None);
+    /// Forces an input or output, from 1, or lets it go.
+    "force" { output: bool, number: u8, to: OrNull<bool> } => {
+        let side = if output { Side::Outputs } else { Side::Inputs };
+        let none = || both(told::refused_address);
+        let index = number.checked_sub(1).ok_or_else(none)?;
+        Ordered::Board(Order::Force(side, index, to.0), None)
+    };
+    /// Of what this computer runs alone: a board has contacts and knobs of its own.
+    "press" { input: u8, closed: bool } => Ordered::Press(input, closed);
+    "turn" { input: u8, reading: u16 } => Ordered::Turn(input, reading);
+    /// Sets an output, a marker, a register or a preset once.
+    "set" { point: String, value: i32 } => {
+        let none = || both(|lang| told::no_point(lang, &point));
+        Ordered::Board(Order::Set(Address::parse(&point).ok_or_else(none)?, value), None)
+    };
+    /// Puts this program on the board, and watches it from then on. It runs then, unless it stays in STOP.
+    "upload" { version: Version, stay: Option<bool> } => {
+        let text = program(version, workspace)?;
+        let source = source(&text)?;
+        let mut upload = Upload::of(source.program(), &source.code);
+        upload.stays = stay.unwrap_or_default();
+        Ordered::Board(Order::Upload(Box::new(upload)), Some(text))
+    };
+    /// Watches this program from now on; it is said to be on the board.
+    "watch" { version: Version } => Ordered::Watch(program(version, workspace)?);
+    /// Changes the settings: the lock holds at once, all else from the next start on.
+    "settle" { settings: Wanted } => Ordered::Board(Order::Settle(settings.checked()?), None);
+    /// Writes a firmware, as Intel hex, by the boot loader of this kind of board.
+    "flash" { hex: String, model: String } => firmware(&hex, &model)?;
+}
+
+fn command(command: Command) -> Ordered {
+    Ordered::Board(Order::Command(command), None)
+}
+
+/// A text that is to be on a board.
+fn program(version: Version, workspace: &mut Workspace) -> Result<Rc<Analysis>, No> {
+    let text = known(version, workspace)?;
+    source(&text)?;
+    Ok(text)
+}
+
+#[cfg(feature = "full")]
+fn firmware(hex: &str, model: &str) -> Result<Ordered, No> {
+    use crate::words;
+    use unoclp_boot::{Image, Model};
+    let model = Model::named(model).ok_or_else(|| both(|lang| words::no_model(lang, model)))?;
+    let image = Image::read(hex.as_bytes(), model);
+    let image = image.map_err(|unfit| both(|lang| unfit.text(lang)))?;
+    Ok(Ordered::Board(Order::Flash(Box::new(image)), None))
+}
+
+#[cfg(not(feature = "full"))]
+fn firmware(_: &str, _: &str) -> Result<Ordered, No> {
+    Err(No::More)
 }

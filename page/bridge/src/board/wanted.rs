@@ -1,9 +1,11 @@
 //! Settings that a person wants, looked at before a board is asked.
 
+use crate::ask::Field;
 use crate::given::Given;
 use crate::words::{self, Both, both};
 use unoclp_client::map::{Parity, setting};
-use unoclp_client::settings::{RATES, Settings};
+use unoclp_client::settings::Settings;
+use unoclp_client::words as told;
 
 /// Settings as a person has typed them.
 #[derive(Debug)]
@@ -17,12 +19,11 @@ pub struct Wanted {
     lock: Option<u8>,
 }
 
-impl Wanted {
-    /// As a request gives them.
-    ///
-    /// # Errors
-    /// Where one is missing, or of another kind.
-    pub fn of(given: &mut Given) -> Result<Wanted, Both> {
+impl Field for Wanted {
+    const TYPE: &'static str = "Settings";
+
+    fn read(given: &mut Given, key: &str) -> Result<Wanted, Both> {
+        let mut given = given.below(key)?;
         Ok(Wanted {
             address: given.real("address")?,
             rate: given.number("rate")?,
@@ -31,12 +32,14 @@ impl Wanted {
             lock: given.number_if("lock")?,
         })
     }
+}
 
-    /// What the board is asked to keep.
+impl Wanted {
+    /// What the board is asked to keep. What it says to that is the client's.
     ///
     /// # Errors
-    /// What it would not take, by name.
-    pub(super) fn checked(&self, old: Settings) -> Result<Settings, Both> {
+    /// What is none of its settings at all, by name.
+    pub(super) fn checked(&self) -> Result<Settings, Both> {
         let (least, most) = (setting::ADDRESS.least, setting::ADDRESS.most);
         let address = self.address;
         let is_address =
@@ -44,15 +47,7 @@ impl Wanted {
         if !is_address {
             return Err(both(|lang| words::no_address(lang, address, least, most)));
         }
-        if !RATES.contains(&self.rate) {
-            let rates = RATES.map(|rate| rate.to_string()).join(", ");
-            return Err(both(|lang| words::no_rate(lang, self.rate, &rates)));
-        }
-        let parity = Parity::of(self.parity).ok_or_else(|| both(words::refused_value))?;
-        let was = old.lock.unwrap_or(0);
-        if self.lock.unwrap_or(0) & was != was {
-            return Err(both(words::lock_grows));
-        }
+        let parity = Parity::of(self.parity).ok_or_else(|| both(told::refused_value))?;
         Ok(Settings {
             address: address as u8,
             rate: self.rate,

@@ -15,6 +15,8 @@ use crate::given::Given;
 use crate::program;
 use crate::words::{Both, No, both};
 pub use act::Act;
+#[cfg(test)]
+pub use act::acts;
 use serde_json::Value;
 use shown::Shown;
 use unoclp_core::Board;
@@ -269,12 +271,7 @@ impl Drawing {
     ///
     /// # Errors
     /// Where it is not yet a program, or there is no such form.
-    pub fn text(&self, form: &str) -> Result<String, Both> {
-        let form = match form {
-            "numeric" => WriteAs::Numeric,
-            "il" => WriteAs::Il,
-            other => return Err(crate::given::wrong(other)),
-        };
+    pub fn text(&self, form: WriteAs) -> Result<String, Both> {
         drawn::text(self.editor.document(), form, self.board).map_err(|_| both(unfinished))
     }
 

@@ -6,7 +6,7 @@ import type { Ask, BoardFacts, Both, News, Order, Seen, Settings, Text } from ".
 import type { Modules } from "../tools/modules";
 import { Died, NeedsMore, Refusal, Tools } from "../tools/tools";
 import { NoLine } from "../line/none";
-import { both } from "../words/words";
+import { both, say } from "../words/words";
 import { type Clock, Conversation, WALL } from "./conversation";
 import { DeskMachine } from "./deskmachine";
 import { type Machines, OwnMachine, WorkerMachine } from "./machines";
@@ -32,6 +32,8 @@ export class Bench {
   readonly pins = new Signal<Pins | null>(null);
   readonly power = new Signal(false);
   readonly upload = new Signal<Upload>(null);
+  /** How far a firmware is, 0 to 1. */
+  readonly flashing = new Signal<number | null>(null);
   /** The program that was put on the board from here. */
   readonly on = new Signal<Text | null>(null);
   /** What the board has sent, as far as it is text. */
@@ -91,11 +93,17 @@ export class Bench {
     this.where.value = where;
     this.whenLost = lost;
     const open = (program: Text | null): Promise<Conversation> =>
-      Conversation.open(this.tools, this.opening(program, reset), line, formatOf(this.way), this.clock,
-        (news) => this.hear(news), (bytes) => this.listen(bytes), () => {
+      Conversation.open(this.tools, this.opening(program, reset), line, formatOf(this.way), this.clock, {
+        news: (news) => this.hear(news),
+        bytes: (bytes) => this.listen(bytes),
+        lost: () => {
+          this.talk = null;
           this.forget();
           lost();
-        }, () => void this.revive());
+        },
+        cause: () => say("cableOut"),
+        died: () => void this.revive(),
+      });
     try {
       this.talk = await open(this.on.value);
     } catch (error) {
@@ -263,6 +271,20 @@ export class Bench {
     }
   }
 
+  /** Whether there is a line to a board. */
+  get isOpen(): boolean {
+    return this.talk !== null;
+  }
+
+  /** Writes a firmware, as Intel hex, by the boot loader of this kind of board. */
+  async flash(hex: string, model: string): Promise<void> {
+    try {
+      await this.order({ do: "flash", hex, model });
+    } finally {
+      this.flashing.value = null;
+    }
+  }
+
   /** What is asked of the board at hand takes time: a simulated one goes on. */
   takeTime(): void {
     if (this.paused.value && this.where.value !== "desk") this.goOn();
@@ -335,6 +357,9 @@ export class Bench {
         break;
       case "storing":
         this.upload.value = "storing";
+        break;
+      case "flashing":
+        this.flashing.value = news.done / Math.max(news.of, 1);
         break;
       case "settings":
         this.ways[this.where.value].expect(news);

@@ -5,12 +5,10 @@ import type { Line } from "../line/line";
 import { PortLine } from "../line/port";
 import { beside, single } from "../offline/beside";
 import type { Both } from "../tools/answers";
-import type { Modules } from "../tools/modules";
-import { Refusal, Tools } from "../tools/tools";
+import { Refusal } from "../tools/tools";
 import { say, told } from "../words/words";
 import type { Bench } from "./bench";
 import { h } from "./dom";
-import { flash } from "./flash";
 import { icon } from "./icons";
 import { announce, note } from "./notes";
 import { gateway, sharedToken } from "./shared";
@@ -37,15 +35,17 @@ export class Desk {
   private readonly token = sharedToken();
   private shared: Shared | null = null;
 
-  constructor(
-    private readonly bench: Bench,
-    private readonly modules: Modules,
-  ) {
+  constructor(private readonly bench: Bench) {
     const connect = h("button", { type: "button", id: "connect", click: () => void (bench.where.value === "desk" ? this.leave() : this.join()) }, icon("usb"), this.text);
     this.kind = h("label", { class: "menu-field" }, h("span", { "data-say": "boardKind" }), this.model);
     this.rows = [connect, this.kind, this.put];
     bench.where.follow(() => this.show());
     bench.identity.follow(() => this.show());
+    bench.flashing.follow((share) => {
+      if (share === null) return;
+      this.about.hidden = false;
+      this.about.textContent = say("flashing", { percent: Math.round(share * 100) });
+    });
     bench.lost.follow((why) => this.offer(why));
     if (this.token !== null) void this.join();
   }
@@ -111,22 +111,22 @@ export class Desk {
     this.put.disabled = true;
     try {
       const hex = await (await beside(model.file)).text();
-      const tools = await Tools.of(await this.modules.full());
-      await this.bench.disconnect();
-      const failure = await flash(tools, new PortLine(this.port), hex, model.name, (share) => {
-        this.about.hidden = false;
-        this.about.textContent = say("flashing", { percent: Math.round(share * 100) });
-      });
-      const said = (): string => (failure ? told(failure) : say("flashed"));
-      note(said);
-      announce(said());
+      if (!this.bench.isOpen) await this.speak(new PortLine(this.port));
+      await this.bench.flash(hex, model.name);
+      this.say(() => say("flashed"));
     } catch (error) {
-      note(() => (error instanceof Refusal ? told(error.both) : say("portBusy", { why: String(error) })));
+      if (!(error instanceof Refusal)) throw error;
+      const { both } = error;
+      this.say(() => told(both));
     } finally {
       this.show();
-      await this.speak(new PortLine(this.port));
       this.put.disabled = false;
     }
+  }
+
+  private say(what: () => string): void {
+    note(what);
+    announce(what());
   }
 }
 

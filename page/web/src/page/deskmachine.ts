@@ -4,6 +4,7 @@
 import type { Ask, Both, MachineFacts, Order, Seen } from "../tools/answers";
 import type { Asks } from "../tools/asks";
 import { bitsOf, hasBit } from "../tools/bits";
+import { MOST_MS } from "../tools/numbers";
 import { Refusal, type Tools } from "../tools/tools";
 import { both } from "../words/words";
 import type { MachineAsk, Machines } from "./machines";
@@ -11,7 +12,7 @@ import { forcedTo } from "./points";
 import { Signal } from "./signal";
 
 /** As long as one step of Rust may be, ms. */
-const STEP = 250;
+const STEP = MOST_MS;
 /** A board that has not been read for so long, ms, was away: the machine stood. */
 const AWAY = 1000;
 /** A board that has refused for so long, ms, refuses always. One that starts again refuses for a moment. */

@@ -134,7 +134,7 @@ async function load(): Promise<void> {
   const judged = later(() => import("./judged"));
   const machine = new MachineArea(bench, (facts) => panel.fold(facts !== null), (file, into) => void judged().then((part) => part?.judge(remote, program, file, into)));
   const start = startControl(bench, program, forBoard, tabs, () => view.goDraw());
-  const desk = new Desk(bench, modules);
+  const desk = new Desk(bench);
   const panel = new Panel(byId("board"), bench, slot, desk.about, machine.root);
   byId("running").append(...start.controls, statusOf(bench, program), panel.time.speed);
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));

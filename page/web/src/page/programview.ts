@@ -20,8 +20,6 @@ import { countOf, showProblems } from "./problems";
 
 const VIEWS = ["draw", "both", "text"] as const;
 const TITLES = { draw: "viewDraw", both: "viewBoth", text: "viewText" } as const;
-/** Instructions that no person draws. */
-const BYTES = />\s*(PUSH|POP|LDX|STX)\b/;
 
 export class ProgramView {
   private readonly ladder: LadderView;
@@ -30,14 +28,14 @@ export class ProgramView {
   private readonly size = h("span", { class: "chip" });
   /** The screen on which one draws, as soon as somebody has wanted it. */
   private screen: (() => Promise<Screen | null>) | null = null;
-  /** Of a text whose ladder is byte code none is shown unless somebody asks for it: said here. */
+  /** Of a text whose ladder is a compiler's code none is shown unless somebody asks for it: said here. */
   private readonly bytes = h("p", { class: "empty", id: "ladder-bytes", hidden: true }, h("span", { "data-say": "ladderBytes" }), " ",
     h("button", { type: "button", id: "ladder-anyway", "data-say": "ladderAnyway", click: () => {
       this.asked = this.program.text.value.name;
       this.bytes.hidden = true;
       byId("ladder").hidden = false;
     } }));
-  /** The program whose byte code somebody wants to see. */
+  /** The program whose code somebody wants to see as a ladder. */
   private asked = "";
   /** What is drawn: of this text. */
   private drawn: string | null = null;
@@ -158,10 +156,10 @@ export class ProgramView {
     const key = `${speak.value}\n${text.name}\n${text.text}`;
     if (key === this.drawn) return;
     this.drawn = key;
-    const { svg } = await this.tools.ask("ladder", { of: text, width: 64, speak: speak.value });
+    const { svg, code } = await this.tools.ask("ladder", { of: text, width: 64, speak: speak.value });
     // Another was asked for meanwhile.
     if (key !== this.drawn) return;
-    const hides = BYTES.test(svg) && !["il", "numeric"].includes(this.program.looked.value?.checked.language ?? "") && this.asked !== text.name;
+    const hides = code && this.asked !== text.name;
     this.bytes.hidden = !hides;
     byId("ladder").hidden = hides;
     this.ladder.show(svg);

@@ -1,6 +1,7 @@
 // The settings of the board: what it keeps for its next start, and its lock.
 
 import type { Settings } from "../tools/answers";
+import { ADDRESSES, RATES } from "../tools/numbers";
 import { Refusal } from "../tools/tools";
 import type { Key } from "../words/table";
 import { say, speak, told, translate } from "../words/words";
@@ -8,14 +9,12 @@ import type { Bench } from "./bench";
 import { h } from "./dom";
 import { type Way, same } from "./ways";
 
-/** The rates that a board meets well; `RATES` in board/src/settings.rs has them, and a test compares. */
-const RATES = [2400, 4800, 9600, 19200, 28800, 38400, 57600, 115_200];
 const PARITIES = ["parityNone", "parityEven", "parityOdd"] as const;
 /** The bits of the lock, from bit 0 on. */
 const LOCKS = ["lockUpload", "lockSettings", "lockCommands", "lockWriting"] as const;
 
 export class SettingsTab {
-  private readonly address = h("input", { type: "number", min: 1, max: 247, id: "set-address" });
+  private readonly address = h("input", { type: "number", min: ADDRESSES[0], max: ADDRESSES[1], id: "set-address" });
   private readonly rate = h("select", { id: "set-rate" }, ...RATES.map((rate) => h("option", { value: rate }, String(rate))));
   private readonly parity = h("select", { id: "set-parity" }, ...PARITIES.map((key, value) => h("option", { value, "data-say": key })));
   private readonly direction = h("input", { type: "checkbox", role: "switch", id: "set-direction" });

@@ -2,6 +2,7 @@
 // do yet.
 
 import type { SerialFormat } from "unoclp-uno";
+import { USUAL } from "../tools/numbers";
 import { keep, kept } from "./kept";
 import { keepHere, keptHere } from "./place";
 
@@ -12,12 +13,10 @@ export interface Way {
   readonly parity: number;
 }
 
-/** That of a board whose settings nobody has changed. */
-export const USUAL: Way = { address: 1, rate: 115_200, parity: 0 };
 const PARITIES = ["none", "even", "odd"] as const;
 
 /** How bytes look on the line then. */
-export function formatOf({ rate, parity }: Way): SerialFormat {
+export function formatOf({ rate, parity }: Pick<Way, "rate" | "parity">): SerialFormat {
   return { baud: rate, parity: PARITIES[parity] ?? "none" };
 }
 

@@ -177,23 +177,6 @@ export interface Field {
   readonly kind: "point" | "value" | "number" | "name";
 }
 
-/** A step of it. */
-export interface FlashStep {
-  /** First reset the board, and throw away what has come before. */
-  readonly reset: boolean;
-  /** Then send this. */
-  readonly send: readonly number[];
-  /** The next step comes at this time, in whole ms, or as soon as bytes have come. */
-  readonly until: number;
-  readonly stage: "meeting" | "writing" | "comparing" | "finishing";
-  /** So many requests of so many have been answered. */
-  readonly progress: readonly [number, number];
-  /** Whether it is over. */
-  readonly over: boolean;
-  /** Why the firmware is not on the board. */
-  readonly failure: Both | null;
-}
-
 /** A program that is to be written in another language. */
 export interface GivenProgram {
   readonly text: string;
@@ -221,6 +204,8 @@ export interface Hand {
 export interface LadderDrawn {
   /** The element. */
   readonly svg: string;
+  /** Whether it is the code of a compiler, which no person would draw. */
+  readonly code: boolean;
 }
 
 /** What is shown live. */
@@ -318,6 +303,8 @@ export type News =
   | { readonly news: "sent"; readonly order: number; readonly bytes: number; readonly of: number }
   /** The board stores what was uploaded. */
   | { readonly news: "storing"; readonly order: number }
+  /** So many requests of so many have been answered on the way of a firmware. */
+  | { readonly news: "flashing"; readonly order: number; readonly done: number; readonly of: number }
   /** What the board keeps since an upload. */
   | ({ readonly news: "stored" } & Stored)
   /** What the board keeps for its next start. */
@@ -490,7 +477,13 @@ export interface Size {
 
 /** A step of a conversation. */
 export interface Step {
-  /** To be sent now. */
+  /** How bytes are sent from now on, bits per second, */
+  readonly rate: number;
+  /** and 0 without parity, 1 even, 2 odd. */
+  readonly parity: number;
+  /** First reset the board, and throw away what has come before. */
+  readonly reset: boolean;
+  /** Then send this. */
   readonly send: readonly number[];
   /** The next step comes at this time, in whole ms, or as soon as bytes have come or something is ordered. */
   readonly until: number;

@@ -1,7 +1,88 @@
 // What may be asked of Rust, and what it answers. Made of page/bridge/src/ask/table.rs: do not edit it; the test of
 // page/bridge/src/ask/contract.rs writes it where UPDATE=1 is set.
 
-import type { Act, Adapted, As, BoardFacts, CardImage, Checked, Drawn, Fared, FlashStep, LadderDrawn, MachineFacts, MachineLook, Order, Outcome, Replayed, Searched, Sheet, Shelf, Speak, Step, Text } from "./answers";
+import type { Adapted, BoardFacts, CardImage, Checked, Drawn, Fared, LadderDrawn, MachineFacts, MachineLook, Order, Outcome, Replayed, Searched, Settings, Sheet, Shelf, Step, Text } from "./answers";
+
+export type Place = "before" | "behind" | "beside";
+
+export type Along = "back" | "forth";
+
+export type Direction = "left" | "right" | "up" | "down";
+
+export type Coil = "normal" | "negated" | "set" | "reset" | "load";
+
+export type Edge = "rising" | "falling";
+
+export type As = "ladder" | "il" | "st" | "numeric" | "svg" | "xml";
+
+export type DrawnAs = "numeric" | "il";
+
+export type Speak = "en" | "pt";
+
+/** What may be done to a drawing. */
+export type Act =
+  | { readonly do: "undo" }
+  | { readonly do: "redo" }
+  /** Selects what stands around the cursor. */
+  | { readonly do: "out" }
+  | { readonly do: "move"; readonly to: Direction }
+  | { readonly do: "select"; readonly from: number; readonly to: number }
+  | { readonly do: "extend"; readonly along: Along }
+  /** Inserts an element of the palette at the cursor. */
+  | { readonly do: "insert"; readonly what: string; readonly place: Place }
+  /** Inserts it at something else. */
+  | { readonly do: "put"; readonly what: string; readonly at: number; readonly place: Place }
+  | { readonly do: "branch" }
+  | { readonly do: "stretch"; readonly along: Along; readonly out: boolean }
+  | { readonly do: "delete" }
+  | { readonly do: "copy" }
+  | { readonly do: "cut" }
+  | { readonly do: "paste"; readonly place: Place }
+  | { readonly do: "carry"; readonly at: number; readonly place: Place }
+  | { readonly do: "toggle" }
+  | { readonly do: "edge"; readonly edge: Edge | null }
+  | { readonly do: "coil"; readonly coil: Coil }
+  | { readonly do: "insertRung"; readonly along: Along }
+  | { readonly do: "moveRung"; readonly along: Along }
+  | { readonly do: "split" }
+  | { readonly do: "join" }
+  /** Changes the fields of the element at the cursor; a person who is sure is not asked. */
+  | { readonly do: "edit"; readonly fields: readonly { readonly key: string; readonly value: string }[]; readonly sure?: boolean | undefined }
+  /** Says what a point is called and what it is for; likewise. */
+  | { readonly do: "name"; readonly point: string; readonly name: string; readonly comment: string; readonly sure?: boolean | undefined }
+  | { readonly do: "comment"; readonly text: string }
+  | { readonly do: "title"; readonly text: string }
+  /** Another text in place of this one. */
+  | { readonly do: "text"; readonly name: string; readonly text: string };
+
+/** What may be ordered of a board. */
+export type OrderGiven =
+  /** RUN, from the beginning. */
+  | { readonly do: "run" }
+  | { readonly do: "stop" }
+  /** One single scan, in STOP. */
+  | { readonly do: "scan" }
+  /** The whole start-up again. */
+  | { readonly do: "restart" }
+  /** Lets all points go. */
+  | { readonly do: "release" }
+  /** Tells the settings. */
+  | { readonly do: "settings" }
+  /** Forces an input or output, from 1, or lets it go. */
+  | { readonly do: "force"; readonly output: boolean; readonly number: number; readonly to: boolean | null }
+  /** Of what this computer runs alone: a board has contacts and knobs of its own. */
+  | { readonly do: "press"; readonly input: number; readonly closed: boolean }
+  | { readonly do: "turn"; readonly input: number; readonly reading: number }
+  /** Sets an output, a marker, a register or a preset once. */
+  | { readonly do: "set"; readonly point: string; readonly value: number }
+  /** Puts this program on the board, and watches it from then on. It runs then, unless it stays in STOP. */
+  | { readonly do: "upload"; readonly version: number; readonly stay?: boolean | undefined }
+  /** Watches this program from now on; it is said to be on the board. */
+  | { readonly do: "watch"; readonly version: number }
+  /** Changes the settings: the lock holds at once, all else from the next start on. */
+  | { readonly do: "settle"; readonly settings: Settings }
+  /** Writes a firmware, as Intel hex, by the boot loader of this kind of board. */
+  | { readonly do: "flash"; readonly hex: string; readonly model: string };
 
 export interface Asks {
   /** What a board has: each limit of its points and its memory, so that a page needs to know none. */
@@ -62,12 +143,6 @@ export interface Asks {
   machineReset: { ask: object; answer: null };
   /** There is none any longer. */
   machineClose: { ask: object; answer: null };
-  /** Firmware for a board, as Intel hex; the answer is the rate of its boot loader. */
-  flash: { ask: { readonly hex: string; readonly model: string }; answer: number };
-  /** A step of that. */
-  flashStep: { ask: { readonly now: number; readonly came: readonly number[] }; answer: FlashStep };
-  /** The line is gone meanwhile, and why. */
-  flashLose: { ask: { readonly why: string }; answer: null };
   /** The elements that can be drawn. */
   palette: { ask: object; answer: readonly Shelf[] };
   /** A drawing, of a text and what was done to it; `name`: what its file is called now. */
@@ -75,7 +150,7 @@ export interface Asks {
   /** Something done to it; what a page shows of it then. */
   edit: { ask: { readonly act: Act | null; readonly name?: string | undefined; readonly board?: string | undefined; readonly width: number; readonly speak?: Speak | undefined }; answer: Drawn };
   /** Its text in another form. */
-  drawn: { ask: { readonly as: string }; answer: string };
+  drawn: { ask: { readonly as: DrawnAs }; answer: string };
   /** What of it has these words in it. */
   find: { ask: { readonly words: string }; answer: readonly number[] };
 }

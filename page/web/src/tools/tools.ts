@@ -2,6 +2,7 @@
 
 import type { Ask, Text, Wrong } from "./answers";
 import type { Asks } from "./asks";
+import { NUMBERS } from "./numbers";
 
 /** What the module exports; wasm/src/lib.rs says how it is called. */
 interface Exports {
@@ -14,10 +15,6 @@ interface Exports {
   unoclp_readings(): number;
   unoclp_step(levels: number, ms: number): number;
 }
-
-/** The places of `Wires` in Rust. */
-const OUTPUTS = 99;
-const READINGS = 100;
 
 /** Texts whose versions are kept here; Rust keeps more. */
 const TEXTS = 4;
@@ -71,7 +68,7 @@ export class Tools {
     return this.alive(() => {
       const { buffer } = this.rust.memory;
       // Number 0 is no output.
-      if (this.shares.buffer !== buffer) this.shares = new Uint8Array(buffer, this.rust.unoclp_shares() + 1, OUTPUTS);
+      if (this.shares.buffer !== buffer) this.shares = new Uint8Array(buffer, this.rust.unoclp_shares() + 1, NUMBERS - 1);
       this.shares.set(shares);
       const closed = this.rust.unoclp_step(levels, ms);
       return closed < 0 ? null : closed;
@@ -80,7 +77,7 @@ export class Tools {
 
   /** What a machine has set A 00 and the analogue inputs after it to, 0 to 1023; until the next call. */
   readings(): Uint16Array {
-    return new Uint16Array(this.rust.memory.buffer, this.rust.unoclp_readings(), READINGS);
+    return new Uint16Array(this.rust.memory.buffer, this.rust.unoclp_readings(), NUMBERS);
   }
 
   private alive<T>(work: () => T): T {

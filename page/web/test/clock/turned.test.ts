@@ -5,7 +5,6 @@ import { mock, test } from "node:test";
 import type { Event } from "unoclp-uno";
 import type { Line } from "../../src/line/line";
 import type { BoardWorker } from "../../src/line/simulated";
-import type { News } from "../../src/tools/answers";
 import type { Tools } from "../../src/tools/tools";
 
 // The place of a tab listens to its window.
@@ -37,13 +36,13 @@ test("a wait goes on at the speed to which a board has come meanwhile", async ()
   const steps: number[] = [];
   const ask = (what: string, request: { now: number }): unknown => {
     if (what === "step") steps.push(request.now);
-    return what === "step" ? { send: [], until: (steps.length > 1 ? 9e9 : 0) + 1000, news: [] } : 1;
+    return what === "step" ? { rate: 115_200, parity: 0, reset: false, send: [], until: (steps.length > 1 ? 9e9 : 0) + 1000, news: [] } : 1;
   };
   const line = { open: async () => undefined, write: async () => undefined, reset: async () => undefined, close: async () => undefined } satisfies Line;
   const nothing = (): void => undefined;
   tell({ kind: "pace", at: 0, factor: 0.1, asked: 1 });
   const talk = await Conversation.open({ ask } as unknown as Tools, { of: null, reset: false }, line, { baud: 115_200, parity: "none" },
-    board, (_: News) => undefined, nothing, nothing, nothing);
+    board, { news: nothing, bytes: nothing, lost: nothing, cause: () => "", died: nothing });
   assert.equal(steps.length, 1);
   // At a tenth of real time it would be 10 s; after one of them the board goes at full speed.
   pass(1000);

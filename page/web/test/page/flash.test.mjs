@@ -94,8 +94,8 @@ test("what goes wrong on the way is told with what to do, and the next try works
   ];
   for (const [from, where, what, english, portuguese] of troubles) {
     for (const [speak, words, closed, done] of /** @type {const} */ ([
-      ["en", english, "The port cannot be opened", "written and verified"],
-      ["pt", portuguese, "Não foi possível abrir a porta", "gravado e conferido"],
+      ["en", english, "The connection to the board is lost", "written and verified"],
+      ["pt", portuguese, "A conexão com a placa caiu", "gravado e conferido"],
     ])) {
       await select(page, "#speak", speak);
       let left = from;

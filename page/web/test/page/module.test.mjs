@@ -36,8 +36,7 @@ const GOOD = [
   { ask: "order", board: 1, order: { do: "upload", version: 2, stay: true } },
   { ask: "order", board: 1, order: { do: "watch", version: 3 } },
   { ask: "order", board: 1, order: { do: "set", point: "D1", value: -7 } },
-  { ask: "flash", hex: ":00000001FF", model: "uno" },
-  { ask: "flashStep", now: 1, came: [20, 16] },
+  { ask: "order", board: 1, order: { do: "flash", hex: ":00000001FF", model: "uno" } },
   { ask: "lose", board: 1, why: "gone" },
   { ask: "close", board: 1 },
 ];

@@ -51,15 +51,6 @@ test("what the page names is there", () => {
   for (const key of named) assert.ok(key in ALL, key);
 });
 
-test("the rates that the page offers are those of Rust", () => {
-  const rates = (file: string): number[] => {
-    const list = /RATES(?:: \[u32; \d+\])? = \[([^\]]+)\]/.exec(readFileSync(join(lab, file), "utf8"))?.[1] ?? "";
-    return list.replaceAll("_", "").split(",").map(Number).filter(Boolean);
-  };
-  assert.ok(rates("src/page/settings.ts").length > 5);
-  assert.deepEqual(rates("src/page/settings.ts"), rates("../../tools/client/src/settings.rs"));
-});
-
 test("no text is without a use", () => {
   const folders = ["src/page", "src/site", "src/words", "static"].map((folder) => join(lab, folder));
   const tables = ["src/words/table.ts", "src/words/drawtable.ts", "src/words/learntable.ts", "src/words/sitetable.ts"].map((file) => join(lab, file));

@@ -7,8 +7,8 @@ use unoclp_client::map::{Command, State};
 use unoclp_client::settings::{Settings, read_lock};
 use unoclp_client::start::{NotFound, find};
 use unoclp_client::upload::{Behind, Broken, await_start, go_on, stop, upload};
-use unoclp_client::watch::{Forces, Reading, Scope, Side, Wish};
-use unoclp_client::{Failure, Line, Parity, lock};
+use unoclp_client::watch::{self, Forces, Reading, Scope, Side};
+use unoclp_client::{Failure, Line, Order, Parity, lock};
 use unoclp_core::{Board, Loader};
 use unoclp_modbus::Exception;
 use unoclp_uno_sim::{Line as Wire, Slot, Uno};
@@ -41,12 +41,8 @@ fn read(uno: &mut Uno) -> Reading {
     .unwrap()
 }
 
-fn fulfil(uno: &mut Uno, wish: Wish) -> Result<(), Failure> {
-    talk(uno, async |client| wish.fulfil(client).await)
-}
-
 fn command(uno: &mut Uno, command: Command) -> Result<(), Failure> {
-    fulfil(uno, Wish::Command(command))
+    talk(uno, async |client| watch::command(client, command).await)
 }
 
 fn send(uno: &mut Uno, text: &str, sent: Kept) -> Result<Kept, Broken> {
@@ -79,23 +75,26 @@ fn a_board_shows_what_it_does() {
 #[test]
 fn forces_move_pins_until_they_are_let_go() {
     let mut uno = board(PROGRAM);
-    let mut wish = |wish: Wish| {
-        fulfil(&mut uno, wish).unwrap();
+    let mut order = |order: Order| {
+        let done = talk(&mut uno, async |client| {
+            order.fulfil(client, None, &mut |_| ()).await
+        });
+        done.unwrap();
         uno.run_ms(20).unwrap();
         (uno.outputs(), read(&mut uno))
     };
-    let (pins, reading) = wish(Wish::Force(Side::Inputs, 0, Some(true)));
+    let (pins, reading) = order(Order::Force(Side::Inputs, 0, Some(true)));
     assert_eq!((pins, reading.inputs, reading.outputs), (0b01, 1, 0b01));
-    let (pins, reading) = wish(Wish::Force(Side::Outputs, 1, Some(true)));
+    let (pins, reading) = order(Order::Force(Side::Outputs, 1, Some(true)));
     assert_eq!((pins, reading.outputs), (0b11, 0b11));
     let forced = Forces { points: 2, to: 2 };
     assert_eq!(reading.forced_outputs, forced);
-    let (pins, reading) = wish(Wish::Command(Command::Stop));
+    let (pins, reading) = order(Order::Command(Command::Stop));
     assert_eq!((pins, reading.diagnostics.state), (0, Some(State::Stop)));
     assert_eq!(reading.forced_outputs, forced, "STOP keeps forces");
-    let (pins, _) = wish(Wish::Command(Command::Run));
+    let (pins, _) = order(Order::Command(Command::Run));
     assert_eq!(pins, 0b11);
-    let (pins, reading) = wish(Wish::Release);
+    let (pins, reading) = order(Order::Release);
     assert_eq!((pins, reading.forced_inputs), (0b10, Forces::default()));
 }
 

@@ -12,6 +12,8 @@ use clap::Args;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use unoclp_boot::{Image, Model, Progress, Writer};
+use unoclp_client::flash::flash as write;
+use unoclp_client::session::Event;
 
 /// What is written, and where.
 #[derive(Args)]
@@ -53,10 +55,13 @@ pub fn flash(firmware: &Firmware) -> Outcome {
     let interrupt = Interrupt::new()?;
     let mut writer = Writer::new(&image);
     let mut shown = None;
-    let outcome = line.flash(&mut writer, |writer| {
-        show(writer.progress(), &mut shown);
-        interrupt.attend()
-    });
+    let mut tell = |event: Event<'_>| {
+        if let Event::Flashing(progress) = event {
+            show(progress, &mut shown);
+        }
+    };
+    let talk = async |client: &mut _| write(client, &mut writer, &mut tell).await;
+    let outcome = line.attended(talk, || interrupt.attend());
     hide();
     match outcome {
         ControlFlow::Continue(Ok(())) => say!("{}", messages::flashed(bytes)),

@@ -76,7 +76,6 @@ use anyhow::anyhow;
 use clap::Args;
 use unoclp_client::diagnostics::Diagnostics;
 use unoclp_client::{Failure, Line, Patience};
-use unoclp_modbus::Exception;
 use words::Parity;
 
 /// Where the board is.
@@ -139,14 +138,6 @@ fn meet(place: &Place) -> anyhow::Result<Port> {
         }
     }
     Ok(port)
-}
-
-/// The error of a board that does not stop.
-fn not_stopped(why: Failure) -> anyhow::Error {
-    match why {
-        Failure::Refused(Exception::IllegalFunction) => anyhow!(messages::stop_locked()),
-        why => anyhow!(messages::not_stopped(messages::failure(&why))),
-    }
 }
 
 /// The error of a request without result.

@@ -1,7 +1,7 @@
 //! `unoclp settings`.
 
 use super::words::{Lock, Parity};
-use super::{failed, meet, not_stopped};
+use super::{failed, meet};
 use crate::messages;
 use crate::outcome::Outcome;
 use crate::port::{Place, Port, find};
@@ -9,11 +9,11 @@ use anyhow::{anyhow, bail};
 use clap::{Args, ValueEnum};
 use unoclp_client::diagnostics::Diagnostics;
 use unoclp_client::map::{Command, State};
-use unoclp_client::settings::{RATES, Settings};
+use unoclp_client::order::Undone;
+use unoclp_client::settings::{Again, RATES, Settings, Unsettled, go_on, keep};
 use unoclp_client::upload::stop;
-use unoclp_client::watch::Wish;
-use unoclp_client::{Failure, Line, Patience, lock};
-use unoclp_modbus::Exception;
+use unoclp_client::watch::command;
+use unoclp_client::{Line, Patience, lock};
 
 /// What shall be set again.
 #[derive(Args)]
@@ -77,8 +77,7 @@ pub fn settings(place: &Place, changes: &Changes) -> Outcome {
     if let Some(rate) = changes.set_rate
         && !RATES.contains(&rate)
     {
-        let rates = RATES.map(|rate| rate.to_string()).join(", ");
-        bail!(messages::no_rate(rate, rates));
+        bail!(messages::unsettled(&Unsettled::Rate(rate)));
     }
     let mut port = meet(place)?;
     let old = port.talk(Settings::read).map_err(failed)?;
@@ -92,22 +91,24 @@ pub fn settings(place: &Place, changes: &Changes) -> Outcome {
         return Ok(true);
     }
     if old.locks(lock::SETTINGS) {
-        bail!(messages::settings_locked(messages::to_lift()));
+        bail!(messages::unsettled(&Unsettled::Locked));
     }
-    let before = port.talk(stop).map_err(not_stopped)?;
-    if let Err(why) = write(&mut port, old, new) {
+    let before = port
+        .talk(stop)
+        .map_err(|why| undone(&Undone::NotStopped(why)))?;
+    if let Err(why) = port.talk(async |client| keep(client, old, new).await) {
         // What stood in the way is told, whatever comes of this.
-        let _ = go_back(&mut port, &before, old);
-        return Err(why);
+        let _ = go_back(&mut port, before.state);
+        return Err(undone(&why));
     }
     if new.lock != old.lock {
         let what = messages::lock(new.lock.unwrap_or(0));
-        say!("{}", messages::locked_now(what, messages::to_lift()));
+        say!("{}", messages::locked_now(what, messages::to_unlock()));
     } else if !is_new {
         say!("{}", messages::settings_kept());
     }
     if new.without_lock() == old.without_lock() {
-        go_back(&mut port, &before, new)?;
+        go_back(&mut port, before.state)?;
     } else if new.locks(lock::COMMANDS) {
         say!("{}", messages::settings(new));
         say!("{}", messages::reset_to_use());
@@ -117,42 +118,26 @@ pub fn settings(place: &Place, changes: &Changes) -> Outcome {
     Ok(true)
 }
 
-/// Writes the settings in place of the old ones, and sees that they are kept.
-fn write(port: &mut Port, old: Settings, new: Settings) -> anyhow::Result<()> {
-    let written = port.talk(async |client| new.write(old, client).await);
-    let not_taken = |why| anyhow!(messages::settings_not_taken(messages::failure(&why)));
-    written.map_err(not_taken)?;
-    if port.talk(Settings::read).map_err(failed)? != new {
-        bail!(messages::settings_not_kept());
-    }
-    Ok(())
-}
-
 /// Puts a board back into RUN that was there before, as far as it lets.
-fn go_back(port: &mut Port, before: &Diagnostics, settings: Settings) -> anyhow::Result<()> {
-    if before.state != Some(State::Run) {
-        return Ok(());
-    }
-    if settings.locks(lock::COMMANDS) {
-        say!("{}", messages::reset_to_run());
-        return Ok(());
-    }
-    let run = Wish::Command(Command::Run);
-    match port.talk(async |client| run.fulfil(client).await) {
-        Ok(()) => say!("RUN"),
-        Err(Failure::Refused(Exception::ServerDeviceFailure)) => {
-            say!("{}", messages::in_stop_until())
-        }
+fn go_back(port: &mut Port, before: Option<State>) -> anyhow::Result<()> {
+    match port.talk(async |client| go_on(client, before).await) {
+        Ok(Again::WasNot) => {}
+        Ok(Again::Runs) => say!("RUN"),
+        Ok(Again::Held) => say!("{}", messages::in_stop_until()),
+        Ok(Again::Locked) => say!("{}", messages::reset_to_run()),
         Err(why) => return Err(failed(why)),
     }
     Ok(())
 }
 
+fn undone(why: &Undone) -> anyhow::Error {
+    anyhow!(messages::undone(why))
+}
+
 /// Restarts the board, and meets it where it is then.
 fn restart(mut port: Port, place: &Place, new: Settings) -> anyhow::Result<()> {
     say!("{}", messages::restarting(messages::settings(new)));
-    let restart = Wish::Command(Command::Restart);
-    port.talk(async |client| restart.fulfil(client).await)
+    port.talk(async |client| command(client, Command::Restart).await)
         .map_err(failed)?;
     drop(port);
     let line = Line {

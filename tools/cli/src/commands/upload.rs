@@ -1,10 +1,10 @@
 //! `unoclp upload`.
 
 use super::interrupt::{Interrupt, Interrupted};
+use super::meet;
 use super::open::{Shown, faulty, open, running};
 use super::progress::{hide, show};
 use super::wording::Wording;
-use super::{failed, meet, not_stopped};
 use crate::messages;
 use crate::outcome::Outcome;
 use crate::port::{Place, Port};
@@ -15,12 +15,10 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use unoclp_client::diagnostics::{Diagnostics, Kept};
 use unoclp_client::map::{State, flag};
-use unoclp_client::settings::read_lock;
-use unoclp_client::upload::{
-    Behind, Broken, FIRST_SCANS, Progress, end, go_on, needs, stop, upload_program as send,
-};
-use unoclp_client::watch::{Forced, Wish};
-use unoclp_client::{Client, lock};
+use unoclp_client::order::Undone;
+use unoclp_client::session::Event;
+use unoclp_client::upload::{self, Behind, Broken, FIRST_SCANS, Progress, end};
+use unoclp_client::watch::Forced;
 use unoclp_program::{Source, not_sent};
 
 /// How the board is left.
@@ -47,7 +45,7 @@ pub fn upload(path: &Path, place: &Place, leave: &Leave, wording: &Wording) -> O
         port: meet(place)?,
         interrupt: Interrupt::new()?,
         program,
-        stored: None,
+        stored: Cell::new(None),
     };
     let outcome = upload.run(leave);
     hide();
@@ -64,96 +62,60 @@ pub fn upload(path: &Path, place: &Place, leave: &Leave, wording: &Wording) -> O
     outcome
 }
 
-/// The form in which the oldest firmware keeps programs.
-const OLDEST_FORM: u8 = 1;
-
 /// An upload, as far as it has come.
 struct Upload {
     port: Port,
     interrupt: Interrupt,
     program: Source,
     /// What the board has stored of it.
-    stored: Option<Kept>,
+    stored: Cell<Option<Kept>>,
 }
 
 impl Upload {
     fn run(&mut self, leave: &Leave) -> Outcome {
-        // A board that takes no upload is not stopped for one.
-        if self.talk(read_lock)?.map_err(failed)? & lock::UPLOAD != 0 {
-            bail!(messages::broken(&Broken::Locked));
-        }
-        let needs = needs(self.program.program());
-        if needs > OLDEST_FORM {
-            let board = self.talk(Diagnostics::read)?.map_err(failed)?;
-            let board = board.program.version;
-            if board < needs {
-                bail!(messages::broken(&Broken::TooOld { board, needs }));
+        let mut upload = upload::Upload::of(self.program.program(), &self.program.code);
+        (upload.stays, upload.releases) = (leave.stop, !leave.keep_forces);
+        // Once the board stores it, that is waited for.
+        let storing = Cell::new(false);
+        let mut tell = |event: Event<'_>| {
+            storing.set(matches!(event, Event::Sent(Progress::Storing)));
+            if let Event::Stored(kept) = event {
+                self.stored.set(Some(kept));
             }
-        }
-        let forced = self.talk(Forced::read)?.map_err(failed)?;
-        let before = self.talk(stop)?.map_err(not_stopped)?;
-        let Some(state) = before.state else {
-            bail!(messages::unknown_state());
+            told(event);
         };
-        match state {
-            State::Run => say!("STOP"),
-            State::Stop if before.has(flag::STOP_SWITCH) => {
-                say!("{}", messages::in_stop_by_switch())
-            }
-            State::Stop => say!("{}", messages::in_stop()),
-            State::Fault if before.waits_for_program() => say!("{}", messages::empty_board()),
-            State::Fault => match before.trouble {
-                Some(trouble) => {
-                    say!("{}, {}", messages::in_fault(), messages::trouble(trouble))
-                }
-                None => say!("{}", messages::in_fault()),
-            },
-        }
-        if forced.any() {
-            say!("{}", messages::forced(forced));
-        }
-
-        let kept = match self.send()? {
-            Ok(kept) => kept,
-            Err(Broken::Fault(trouble)) => {
-                let Some(fault) = trouble.fault() else {
-                    bail!(messages::board_says(messages::trouble(trouble)));
-                };
-                say!("{}", messages::refused_program());
-                say!("{}", faulty(&self.program, fault));
-                return Ok(false);
-            }
-            Err(broken) => bail!(messages::broken(&broken)),
+        let attend = || match storing.get() {
+            true => ControlFlow::Continue(()),
+            false => self.interrupt.attend(),
         };
-        self.stored = Some(kept);
-        say!(
-            "{}",
-            messages::stored(kept.bytes, format!("{:04X}", kept.sum))
-        );
-        if forced.any() && !leave.keep_forces {
-            self.talk(async |client| Wish::Release.fulfil(client).await)?
-                .map_err(failed)?;
-            say!("{}", messages::let_go(forced));
+        let talk = async |client: &mut _| upload.put(client, &mut tell).await;
+        match self.port.attended(talk, attend) {
+            ControlFlow::Continue(Ok(behind)) => self.became(behind),
+            ControlFlow::Continue(Err(undone)) => {
+                hide();
+                self.failed(&undone)
+            }
+            ControlFlow::Break(interrupted) => Err(interrupted.into()),
         }
+    }
 
-        let stays = leave.stop;
-        let behind = self.talk(async |client| go_on(client, state, kept, stays).await)?;
-        let not_started = |why| anyhow!(messages::not_started(messages::failure(&why)));
-        let behind = behind.map_err(not_started)?;
+    /// Says what has become of the board.
+    fn became(&self, behind: Behind) -> Outcome {
         match behind {
             Behind::Run => say!("RUN"),
             Behind::Stop => say!("{}", messages::in_stop()),
             Behind::Switch => say!("{}", messages::in_stop_until()),
             Behind::Faulty => say!("{}", messages::in_fault_until()),
-            Behind::Card => bail!(messages::card_wins()),
-            Behind::Trouble(trouble) => {
-                bail!(messages::restarted_with(messages::trouble(trouble)))
+            Behind::Card | Behind::Trouble(_) => {
+                bail!(messages::behind(behind));
             }
             Behind::Failing(trouble) => {
                 say!("{}", messages::in_fault_later(FIRST_SCANS.as_millis()));
                 match trouble.map(|trouble| (trouble, trouble.fault())) {
                     Some((_, Some(fault))) => say!("{}", running(&self.program, fault)),
-                    Some((trouble, None)) => say!("{}", messages::trouble(trouble)),
+                    Some((trouble, None)) => {
+                        say!("{}", messages::trouble(trouble));
+                    }
                     None => {}
                 }
                 return Ok(false);
@@ -162,28 +124,17 @@ impl Upload {
         Ok(true)
     }
 
-    /// Sends the program. Once the board stores it, that is waited for.
-    fn send(&mut self) -> Result<Result<Kept, Broken>, Interrupted> {
-        let (program, text) = (self.program.program(), &self.program.code);
-        let storing = Cell::new(false);
-        let mut show = |progress| {
-            storing.set(progress == Progress::Storing);
-            show(|| told(progress));
-        };
-        let attend = || match storing.get() {
-            true => ControlFlow::Continue(()),
-            false => self.interrupt.attend(),
-        };
-        let talk = async |client: &mut _| send(client, program, text, &mut show).await;
-        let sent = whole(self.port.attended(talk, attend))?;
-        hide();
-        Ok(sent)
-    }
-
-    /// A conversation that Ctrl-C ends.
-    fn talk<T>(&mut self, talk: impl AsyncFnOnce(&mut Client) -> T) -> Result<T, Interrupted> {
-        let attend = || self.interrupt.attend();
-        whole(self.port.attended(talk, attend))
+    /// Says why the program is not on the board; a fault with its place in the text.
+    fn failed(&self, undone: &Undone) -> Outcome {
+        if let Undone::Broken(Broken::Fault(trouble)) = undone {
+            let Some(fault) = trouble.fault() else {
+                bail!(messages::board_says(messages::trouble(*trouble)));
+            };
+            say!("{}", messages::refused_program());
+            say!("{}", faulty(&self.program, fault));
+            return Ok(false);
+        }
+        bail!(messages::undone(undone));
     }
 
     /// How the board was left by Ctrl-C.
@@ -191,7 +142,7 @@ impl Upload {
         match self.port.talk(end) {
             Ok(board) => {
                 let state = board.state.map_or("?", State::name);
-                match self.stored {
+                match self.stored.get() {
                     Some(_) => messages::interrupted_with_new(state),
                     None => messages::interrupted_with_old(state),
                 }
@@ -201,17 +152,42 @@ impl Upload {
     }
 }
 
-fn whole<T>(talked: ControlFlow<Interrupted, T>) -> Result<T, Interrupted> {
-    match talked {
-        ControlFlow::Continue(outcome) => Ok(outcome),
-        ControlFlow::Break(interrupted) => Err(interrupted),
+/// Says how it goes on.
+fn told(event: Event<'_>) {
+    match event {
+        Event::Stopped { before, forced } => {
+            say!("{}", stood(before));
+            if forced.any() {
+                say!("{}", messages::forced(forced));
+            }
+        }
+        Event::Sent(Progress::Sent { pass, bytes, of }) => {
+            let pass = messages::pass(pass);
+            show(|| messages::sent(pass, bytes, of));
+        }
+        Event::Sent(Progress::Storing) => show(messages::writing),
+        Event::Stored(kept) => {
+            hide();
+            let sum = format!("{:04X}", kept.sum);
+            say!("{}", messages::stored(kept.bytes, sum));
+        }
+        Event::Released(forced) => say!("{}", messages::let_go(forced)),
+        _ => {}
     }
 }
 
-/// How far it is.
-fn told(progress: Progress) -> String {
-    match progress {
-        Progress::Sent { pass, bytes, of } => messages::sent(messages::pass(pass), bytes, of),
-        Progress::Storing => messages::writing(),
+/// How a board was that takes an upload now.
+fn stood(board: &Diagnostics) -> String {
+    match (board.state, board.trouble) {
+        (Some(State::Stop), _) if board.has(flag::STOP_SWITCH) => messages::in_stop_by_switch(),
+        (Some(State::Stop), _) => messages::in_stop(),
+        (Some(State::Fault), _) if board.waits_for_program() => messages::empty_board(),
+        (Some(State::Fault), Some(trouble)) => {
+            let trouble = messages::trouble(trouble);
+            format!("{}, {trouble}", messages::in_fault())
+        }
+        (Some(State::Fault), None) => messages::in_fault(),
+        // It was stopped.
+        _ => State::Stop.name().to_owned(),
     }
 }

@@ -1,6 +1,7 @@
-//! The words for what a board tells, and for what can go wrong with one.
+//! The words for what a board tells, and for what can go wrong with one: most are the client's, in the language of this
+//! process; the others are those of a terminal.
 //!
-//! Owns which text of the table is meant. Must not know what a board is asked, nor when.
+//! Owns which text is meant. Must not know what a board is asked, nor when.
 
 use super::spoken::spoken;
 use super::table::*;
@@ -9,24 +10,45 @@ use unoclp_boot::Stage;
 use unoclp_client::diagnostics::Trouble;
 use unoclp_client::identity::Identity;
 use unoclp_client::map;
-use unoclp_client::settings::Settings;
-use unoclp_client::upload::{Broken, Pass};
+use unoclp_client::order::Undone;
+use unoclp_client::settings::{Settings, Unsettled};
+use unoclp_client::upload::{Behind, Pass};
 use unoclp_client::watch::Forced;
-use unoclp_client::{Failure, Line, Parity, lock as bits};
-use unoclp_modbus::Exception;
-use unoclp_program::{Lang, diagnosis, shown};
+use unoclp_client::{Failure, Line, Parity, lock as bits, words};
+use unoclp_program::{Lang, shown};
 
-/// The fault that a board tells: `fault 24, line 7: no such code`.
-pub fn trouble(trouble: Trouble) -> String {
-    let Trouble { number, line } = trouble;
-    let text = trouble.fault();
-    let text = text.map(|fault| diagnosis::cause(fault.cause, spoken()));
-    match (text, line) {
-        (Some(text), Some(line)) => fault_of_line(number, line, text),
-        (Some(text), None) => fault_of(number, text),
-        (None, Some(line)) => unknown_trouble_in_line(number, line),
-        (None, None) => unknown_trouble(number),
-    }
+macro_rules! of_clients {
+    ($($(#[$about:meta])* $name:ident as $own:ident($($value:ident: $type:ty),*);)*) => {
+        $(
+            $(#[$about])*
+            pub fn $own($($value: $type),*) -> String {
+                words::$name(spoken() $(, $value)*)
+            }
+        )*
+    };
+}
+
+of_clients! {
+    /// The fault that a board tells: `fault 24, line 7: no such code`.
+    trouble as trouble(trouble: Trouble);
+    /// Why a request has no result.
+    failure as failure(why: &Failure);
+    /// Why an order is not done.
+    undone as undone(why: &Undone);
+    /// Why a board does not keep settings.
+    unsettled as unsettled(why: &Unsettled);
+    /// What became of a board after an upload.
+    behind as behind(behind: Behind);
+    /// What a passage of the text of an upload is for.
+    pass as pass(pass: Pass);
+    /// ` but "ACME Meter 3"`, after `no unoclp`; nothing if it does not say what it is.
+    what as foreign(identity: Option<&Identity>);
+    /// That no board is there.
+    no_board as no_board_there();
+    /// That a board keeps settings.
+    settings_kept as settings_kept();
+    /// How a lock is lifted.
+    to_unlock as to_unlock();
 }
 
 /// A supply in mV, as people read it: `5.01`, in Portuguese `5,01`.
@@ -90,32 +112,6 @@ pub fn lock(of: u8) -> String {
     }
 }
 
-/// ` but "ACME Meter 3"`, after `no unoclp`; nothing if it does not say what it is.
-pub fn foreign(identity: Option<&Identity>) -> String {
-    match identity {
-        Some(identity) => but_a(format!("{} {identity}", identity.vendor)),
-        None => String::new(),
-    }
-}
-
-/// Why a request has no result.
-pub fn failure(failure: &Failure) -> String {
-    match failure {
-        Failure::Silent => silent(),
-        Failure::Garbled => garbled(),
-        Failure::Refused(exception) => not_done(match exception {
-            Exception::IllegalFunction => no_function(),
-            Exception::IllegalDataAddress => no_address(),
-            Exception::IllegalDataValue => not_that_value(),
-            Exception::ServerDeviceFailure => not_now(),
-            Exception::ServerDeviceBusy => busy(),
-            Exception::GatewayPathUnavailable => no_way(),
-            Exception::GatewayTargetSilent => target_silent(),
-        }),
-        Failure::Lost(why) => port_gone(why),
-    }
-}
-
 /// Why the history in this file, or at this server, cannot be used.
 pub fn store_failure(store: &str, failure: &unoclp_history::Failure) -> String {
     use unoclp_history::Failure::{Busy, Foreign, Full, Other, ReadOnly, Version};
@@ -166,14 +162,6 @@ pub fn left_forced(forced: Forced) -> String {
     }
 }
 
-/// What a passage of the text is for.
-pub fn pass(pass: Pass) -> String {
-    match pass {
-        Pass::Check => checking(),
-        Pass::Store => storing(),
-    }
-}
-
 /// What is done with a firmware.
 pub fn stage(stage: Stage) -> String {
     match stage {
@@ -184,37 +172,10 @@ pub fn stage(stage: Stage) -> String {
     }
 }
 
-/// Why a program was not uploaded.
-pub fn broken(broken: &Broken) -> String {
-    match broken {
-        Broken::NotBegun => upload_not_begun(),
-        Broken::Locked => upload_locked(to_lift()),
-        Broken::TooOld { board, needs } => firmware_too_old(*board, *needs),
-        Broken::Fault(fault) => trouble(*fault),
-        Broken::Ended => upload_ended(),
-        Broken::Other { kept, sent } => {
-            let sum = |sum| format!("{sum:04X}");
-            keeps_another(kept.bytes, sum(kept.sum), sent.bytes, sum(sent.sum))
-        }
-        Broken::Before(why) => upload_before(failure(why)),
-        Broken::Off {
-            pass: of,
-            bytes,
-            of: all,
-            stored,
-            failure: why,
-        } => {
-            let kept = if *stored { may_keep_new() } else { keeps_old() };
-            upload_off(pass(*of), bytes, all, failure(why), kept)
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::messages::SPOKEN_HERE;
-    use unoclp_client::diagnostics::Kept;
     use unoclp_lang::Lang;
 
     /// What is said in both languages.
@@ -225,70 +186,6 @@ mod tests {
             SPOKEN_HERE.set(None);
             said
         })
-    }
-
-    #[test]
-    fn trouble_reads_as_everywhere() {
-        let told = |number, line| said(|| trouble(Trouble { number, line }));
-        let known = told(24, Some(7));
-        assert_eq!(known[0], "fault 24, line 7: no such code");
-        assert_eq!(known[1], "falha 24, linha 7: código inexistente");
-        let unknown = told(99, Some(7));
-        assert_eq!(
-            unknown[0],
-            "fault 99, line 7: unknown to this version of unoclp"
-        );
-        let unknown = told(99, None);
-        assert_eq!(
-            unknown[1],
-            "falha 99: desconhecida por esta versão do unoclp"
-        );
-    }
-
-    #[test]
-    fn an_upload_that_is_broken_off_says_where_and_what_the_board_keeps() {
-        let off = |pass, stored| Broken::Off {
-            pass,
-            bytes: 488,
-            of: 900,
-            stored,
-            failure: Failure::Lost("unplugged".to_owned()),
-        };
-        let [english, portuguese] = said(|| broken(&off(Pass::Check, false)));
-        let says = "the upload failed while checking, at byte 488 of 900: the port has disappeared: \
-                    unplugged. The board is in STOP; it keeps its old program; upload again";
-        assert_eq!(english, says);
-        let says = "o envio falhou na conferência, no byte 488 de 900: a porta não está mais disponível: \
-                    unplugged. A placa está em STOP; ela mantém o programa antigo; envie de novo";
-        assert_eq!(portuguese, says);
-        let [english, portuguese] = said(|| broken(&off(Pass::Store, true)));
-        assert!(english.contains("while storing") && english.contains("may have"));
-        assert!(portuguese.contains("na gravação") && portuguese.contains("talvez já tenha"));
-        let (kept, sent) = (
-            Kept::default(),
-            Kept {
-                sum: 2,
-                bytes: 1,
-                ..Kept::default()
-            },
-        );
-        let [english, _] = said(|| broken(&Broken::Other { kept, sent }));
-        assert!(english.contains("not the 1 bytes with 0002"), "{english}");
-    }
-
-    #[test]
-    fn what_answers_is_told() {
-        let meter = Identity {
-            vendor: "ACME".to_owned(),
-            product: "Meter".to_owned(),
-            version: "3".to_owned(),
-        };
-        let [english, portuguese] = said(|| foreign(Some(&meter)));
-        assert_eq!(
-            (&*english, &*portuguese),
-            (" but \"ACME Meter 3\"", ", e sim \"ACME Meter 3\"")
-        );
-        assert_eq!(foreign(None), "");
     }
 
     #[test]

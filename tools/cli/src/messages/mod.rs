@@ -2,7 +2,7 @@
 //!
 //! - `spoken`: the language of this process
 //! - `table`: the texts
-//! - `board`: which of them say what a board tells, and what can go wrong with one
+//! - `board`: what a board tells, and what can go wrong with one, as `client::words` has it
 //!
 //! Owns the words, and which language this process speaks. Must not know who says them, nor where.
 
@@ -11,8 +11,9 @@ mod spoken;
 mod table;
 
 pub use board::{
-    broken, failure, foreign, journal_failure, left_forced, lock, parity, pass, record_failure,
-    settings, spoken_line, stage, start, store_failure, trouble, volts,
+    behind, failure, foreign, journal_failure, left_forced, lock, no_board_there, parity, pass,
+    record_failure, settings, settings_kept, spoken_line, stage, start, store_failure, to_unlock,
+    trouble, undone, unsettled, volts,
 };
 #[cfg(test)]
 pub(crate) use spoken::SPOKEN_HERE;

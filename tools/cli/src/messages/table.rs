@@ -220,15 +220,6 @@ unoclp_words::messages! {
     port_not_opened(port, reason)
         "{port} cannot be opened: {reason}"
         "não foi possível abrir {port}: {reason}";
-    no_rate(rate, rates)
-        "a board does not support {rate} baud; it supports {rates}"
-        "uma placa não aceita {rate} baud; ela aceita {rates}";
-    settings_not_taken(failure)
-        "the board rejected the settings: {failure}"
-        "a placa recusou os ajustes: {failure}";
-    settings_not_kept()
-        "the board could not store the settings: its EEPROM is failing"
-        "a placa não conseguiu guardar os ajustes: a EEPROM dela falha";
     settings_without_answer(why)
         "the board stored the settings, but does not answer with them: {why}"
         "a placa guardou os ajustes, mas não responde com eles: {why}";
@@ -241,20 +232,13 @@ unoclp_words::messages! {
     lock_settings() "settings" "ajustes";
     lock_commands() "commands" "comandos";
     lock_writing() "writing" "escrita";
-    locked_now(lock, to_lift) "now {lock}; {to_lift}" "agora {lock}; {to_lift}";
-    to_lift()
-        "to unlock, reset the board with A5 and 01 to 04 to ground, then write any setting: `unoclp settings --set-address 1`"
-        "para desbloquear, faça o reset da placa com A5 e 01 a 04 no GND e grave qualquer ajuste: `unoclp settings --set-address 1`";
-    settings_locked(to_lift)
-        "the settings of the board are locked; {to_lift}"
-        "os ajustes da placa estão bloqueados; {to_lift}";
+    locked_now(lock, to_unlock) "now {lock}; {to_unlock}" "agora {lock}; {to_unlock}";
     reset_to_run()
         "in STOP: commands are locked, so only a reset brings the board back to RUN"
         "em STOP: os comandos estão bloqueados, e só um reset põe a placa de volta em RUN";
     reset_to_use()
         "commands are locked: reset the board to apply these settings"
         "os comandos estão bloqueados: faça o reset da placa para ela usar esses ajustes";
-    settings_kept() "the board keeps these settings" "a placa guarda esses ajustes";
     restarting(settings) "{settings}; restarting" "{settings}; reiniciando";
     answers_from(line) "it answers from {line}" "ela responde: {line}";
     met(identity, port, address)
@@ -273,26 +257,6 @@ unoclp_words::messages! {
     parity_odd() "odd parity" "paridade ímpar";
     pin_on() "on" "ativo";
     pin_off() "off" "inativo";
-    silent() "no answer" "sem resposta";
-    garbled()
-        "the answer is not Modbus; is the rate right?"
-        "a resposta não é Modbus; a taxa está certa?";
-    not_done(why) "refused: {why}" "recusado: {why}";
-    no_function()
-        "the board is locked against this, or lacks the function (01)"
-        "a placa bloqueia isto, ou não tem essa função (01)";
-    no_address() "the board has no such address (02)" "a placa não tem esse endereço (02)";
-    not_that_value() "the board does not accept that value (03)" "a placa não aceita esse valor (03)";
-    not_now() "the board cannot do that now (04)" "a placa não pode fazer isso agora (04)";
-    busy()
-        "the board has stored settings or programs too often; try again in an hour, or after a power cycle (06)"
-        "a placa gravou ajustes ou programas vezes demais; tente de novo em uma hora, ou desligue e ligue a placa (06)";
-    no_way()
-        "the gateway shares no board with this address (10)"
-        "o gateway não compartilha nenhuma placa com esse endereço (10)";
-    target_silent()
-        "the gateway gets no answer from the board (11)"
-        "o gateway não recebe resposta da placa (11)";
     no_page()
         "this unoclp was built without the page; `cargo xtask dist` builds one with it, and `cargo xtask lab` serves the page from the source"
         "este unoclp foi compilado sem a página; `cargo xtask dist` compila um com ela, e `cargo xtask lab` serve a página a partir do código-fonte";
@@ -442,37 +406,6 @@ unoclp_words::messages! {
         "users: {page}#board=TOKEN, each with the token that `unoclp site key` printed"
         "usuários: {page}#board=TOKEN, cada um com o token que `unoclp site key` mostrou";
     history_again(file) "{file}: written again" "{file}: gravado de novo";
-    port_gone(why) "the port has disappeared: {why}" "a porta não está mais disponível: {why}";
-    but_a(identity) " but \"{identity}\"" ", e sim \"{identity}\"";
-    upload_not_begun()
-        "the board does not start an upload; does another client keep it in RUN?"
-        "a placa não começa um envio; outro cliente a mantém em RUN?";
-    upload_locked(to_lift)
-        "the board is locked against uploads; {to_lift}"
-        "os envios estão bloqueados na placa; {to_lift}";
-    firmware_too_old(board, needs)
-        "the board keeps programs in form {board}, but this one needs form {needs}: its firmware is older than some instructions \
-         of the program. The board keeps its old program; update the firmware with `unoclp flash`"
-        "a placa guarda programas na forma {board}, e este precisa da forma {needs}: o firmware dela é mais antigo que algumas \
-         instruções do programa. A placa mantém o programa antigo; atualize o firmware com `unoclp flash`";
-    upload_ended()
-        "another client ended the upload; the board keeps its old program"
-        "outro cliente encerrou o envio; a placa mantém o programa antigo";
-    keeps_another(bytes, sum, sent_bytes, sent_sum)
-        "the board has {bytes} bytes with check sum {sum}, not the {sent_bytes} bytes with {sent_sum} that were sent; does it run another version of the firmware?"
-        "a placa tem {bytes} bytes com soma de verificação {sum}, e não os {sent_bytes} bytes com {sent_sum} que foram enviados; o firmware dela é de outra versão?";
-    upload_before(failure)
-        "the upload did not start: {failure}"
-        "o envio não começou: {failure}";
-    upload_off(pass, bytes, all, failure, kept)
-        "the upload failed while {pass}, at byte {bytes} of {all}: {failure}. The board is in STOP; {kept}; upload again"
-        "o envio falhou na {pass}, no byte {bytes} de {all}: {failure}. A placa está em STOP; {kept}; envie de novo";
-    may_keep_new()
-        "it may have the new program"
-        "talvez já tenha o programa novo";
-    keeps_old() "it keeps its old program" "ela mantém o programa antigo";
-    checking() "checking" "conferência";
-    storing() "storing" "gravação";
     sent(pass, bytes, all) "{pass}: {bytes} of {all} bytes" "{pass}: {bytes} de {all} bytes";
     writing() "writing program memory …" "gravando a memória de programa …";
     tested_firmware() "the tested firmware" "o firmware testado";
@@ -487,24 +420,11 @@ unoclp_words::messages! {
     flashed(bytes)
         "written, read back and compared: {bytes} bytes; the board starts it. Its program and its settings did not change"
         "gravado, lido de volta e comparado: {bytes} bytes; a placa o inicia. O programa e os ajustes dela não mudaram";
-    not_stopped(failure) "the board cannot be stopped: {failure}" "não foi possível parar a placa: {failure}";
-    stop_locked()
-        "commands are locked, so only A5 can stop the board: close it, then try again"
-        "os comandos estão bloqueados, e só A5 para a placa: feche A5 e tente de novo";
-    unknown_state()
-        "this version of unoclp does not know the board's state"
-        "esta versão do unoclp não conhece o estado da placa";
     no_program_yet()
         "No program on the board yet: upload one, or insert a card with PROGRAM.TXT and restart"
         "Nenhum programa na placa ainda: envie um, ou insira um cartão com PROGRAM.TXT e reinicie";
     empty_board() "no program yet" "sem programa ainda";
     board_says(trouble) "the board reports {trouble}" "a placa diz: {trouble}";
-    not_started(failure)
-        "the program is stored, but the board does not start it: {failure}"
-        "o programa está gravado, mas a placa não o inicia: {failure}";
-    restarted_with(trouble)
-        "the program is stored, but after the restart the board reports {trouble}"
-        "o programa está gravado, mas ao reiniciar a placa diz: {trouble}";
     interrupted() "interrupted" "interrompido";
     watcher_ended()
         "the thread that reads the board has ended"
@@ -543,16 +463,7 @@ unoclp_words::messages! {
     errors(count) "{count} errors; there is no program" "{count} erros; não há programa";
     error(error) "error: {error}" "erro: {error}";
     warning(warning) "warning: {warning}" "aviso: {warning}";
-    unknown_trouble(number)
-        "fault {number}: unknown to this version of unoclp"
-        "falha {number}: desconhecida por esta versão do unoclp";
-    unknown_trouble_in_line(number, line)
-        "fault {number}, line {line}: unknown to this version of unoclp"
-        "falha {number}, linha {line}: desconhecida por esta versão do unoclp";
     fault_of(number, text) "fault {number}: {text}" "falha {number}: {text}";
-    fault_of_line(number, line, text)
-        "fault {number}, line {line}: {text}"
-        "falha {number}, linha {line}: {text}";
     power() "power" "energia";
     unknown() "unknown" "desconhecida";
     no_reset() "no reset" "sem reset";
@@ -643,9 +554,6 @@ unoclp_words::messages! {
     refused_program()
         "the board rejects the program and keeps its old one:"
         "a placa recusa o programa e mantém o antigo:";
-    card_wins()
-        "the board stored the program, but at the restart it loaded another PROGRAM.TXT from its card; remove the card, or copy the program to it"
-        "a placa gravou o programa, mas ao reiniciar leu outro PROGRAM.TXT do cartão dela; retire o cartão ou grave nele o programa";
     inputs_toggle(last) "Inputs: 1 to {last} toggle" "Entradas: 1 a {last} alternam";
     inputs_held(last)
         "Inputs: closed while 1 to {last} is held"
@@ -709,26 +617,6 @@ unoclp_words::messages! {
         " last start: {cause}  since power-up: restarts {restarts}, faults {faults}"
         " última partida: {cause}  desde ligada: reinícios {restarts}, falhas {faults}";
     over(most) "over {most}" "mais de {most}";
-    no_board_to_do_it() "no board is connected" "nenhuma placa conectada";
-    refused_in_fault()
-        "the board is in FAULT: r restarts it"
-        "a placa está em FAULT: r a reinicia";
-    refused_by_switch()
-        "A5 is closed and holds the board in STOP"
-        "A5 está fechado e segura a placa em STOP";
-    refused_in_upload()
-        "an upload is in progress; r restarts the board and drops it"
-        "há um envio em andamento; r reinicia a placa e o descarta";
-    refused_commands()
-        "commands are locked on this board"
-        "os comandos estão bloqueados nesta placa";
-    refused_writing()
-        "writing and forcing are locked on this board"
-        "escrever e forçar estão bloqueados nesta placa";
-    refused_scan()
-        "single scans work in STOP only; press space to stop the board"
-        "varreduras avulsas só em STOP; aperte espaço para parar a placa";
-    refused() "the board cannot do that now" "a placa não pode fazer isso agora";
     too_small(columns, lines)
         "this screen is too small: {columns} x {lines}"
         "esta tela é pequena demais: {columns} x {lines}";

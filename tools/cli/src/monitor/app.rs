@@ -6,7 +6,8 @@ use super::watcher::News;
 use crate::messages;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use unoclp_client::map::{Command, State};
-use unoclp_client::watch::{Forced, Reading, Side, Wish};
+use unoclp_client::order::Order;
+use unoclp_client::watch::{Forced, Reading, Side};
 use unoclp_core::Board;
 use unoclp_exercise::live::Flow;
 
@@ -153,7 +154,7 @@ impl App {
     }
 
     /// Takes a key; gives what it asks of the board.
-    pub fn key(&mut self, key: KeyEvent) -> Option<Wish> {
+    pub fn key(&mut self, key: KeyEvent) -> Option<Order> {
         if key.kind == KeyEventKind::Release {
             return None;
         }
@@ -182,50 +183,50 @@ impl App {
             }
             code => {
                 self.said = None;
-                return self.wish(code);
+                return self.order(code);
             }
         }
         None
     }
 
-    fn wish(&mut self, code: KeyCode) -> Option<Wish> {
+    fn order(&mut self, code: KeyCode) -> Option<Order> {
         match code {
             KeyCode::Char(digit @ '1'..='9') => self.force(digit as u8 - b'1'),
             KeyCode::Char('x') => {
-                self.expect(Wish::Release);
-                Some(Wish::Release)
+                self.expect(&Order::Release);
+                Some(Order::Release)
             }
-            KeyCode::Char('s') => Some(Wish::Command(Command::SingleScan)),
-            KeyCode::Char('r') => Some(Wish::Command(Command::Restart)),
+            KeyCode::Char('s') => Some(Order::Command(Command::SingleScan)),
+            KeyCode::Char('r') => Some(Order::Command(Command::Restart)),
             KeyCode::Char(' ') => {
                 let state = self.reading.as_ref()?.diagnostics.state;
                 let command = match state {
                     Some(State::Run) => Command::Stop,
                     _ => Command::Run,
                 };
-                Some(Wish::Command(command))
+                Some(Order::Command(command))
             }
             _ => None,
         }
     }
 
     /// Takes a force for done until the next reading tells: whoever leaves before that is to know of it.
-    fn expect(&mut self, wish: Wish) {
+    fn expect(&mut self, order: &Order) {
         let Some(reading) = &mut self.reading else {
             return;
         };
         let before = reading.forced_outputs.points;
-        self.is_asked |= !matches!(wish, Wish::Command(_));
-        match wish {
-            Wish::Force(Side::Inputs, index, to) => reading.forced_inputs.set(index, to),
-            Wish::Force(Side::Outputs, index, to) => reading.forced_outputs.set(index, to),
-            Wish::Release => {
+        self.is_asked |= matches!(order, Order::Force(..) | Order::Release);
+        match order {
+            Order::Force(Side::Inputs, index, to) => reading.forced_inputs.set(*index, *to),
+            Order::Force(Side::Outputs, index, to) => reading.forced_outputs.set(*index, *to),
+            Order::Release => {
                 (reading.forced_inputs, reading.forced_outputs) = Default::default();
             }
-            Wish::Command(_) => {}
+            _ => {}
         }
         self.let_go |= before & !reading.forced_outputs.points;
-        if matches!(wish, Wish::Force(_, _, Some(_))) && self.end_forcing.is_some() {
+        if matches!(order, Order::Force(_, _, Some(_))) && self.end_forcing.is_some() {
             match &mut reading.forcing_ends {
                 Some(ends) => *ends = self.end_forcing.unwrap_or(*ends),
                 None if self.is_endless_said => {}
@@ -238,7 +239,7 @@ impl App {
     }
 
     /// A point that is free is forced to 1, then to 0, and then let go.
-    fn force(&mut self, index: u8) -> Option<Wish> {
+    fn force(&mut self, index: u8) -> Option<Order> {
         let reading = self.reading.as_ref()?;
         let (count, forces) = match self.side {
             Side::Inputs => (self.board.inputs, reading.forced_inputs),
@@ -252,8 +253,8 @@ impl App {
             Some(true) => Some(false),
             Some(false) => None,
         };
-        let wish = Wish::Force(self.side, index, to);
-        self.expect(wish);
-        Some(wish)
+        let order = Order::Force(self.side, index, to);
+        self.expect(&order);
+        Some(order)
     }
 }

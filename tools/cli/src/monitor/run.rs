@@ -9,7 +9,8 @@ use ratatui::crossterm::event::{self, Event};
 use std::io;
 use std::sync::mpsc::{Receiver, Sender};
 use std::time::Duration;
-use unoclp_client::watch::{Forced, Wish};
+use unoclp_client::order::Order;
+use unoclp_client::watch::Forced;
 
 /// Time from frame to frame.
 const FRAME: Duration = Duration::from_millis(33);
@@ -17,9 +18,9 @@ const FRAME: Duration = Duration::from_millis(33);
 /// Runs the monitor in this terminal until the person leaves; gives what is forced then. The board goes on as it is.
 ///
 /// The terminal is put back as it was, after a panic too. An error comes from the terminal.
-pub fn run(mut app: App, wish: &Sender<Wish>, news: &Receiver<News>) -> io::Result<Forced> {
+pub fn run(mut app: App, order: &Sender<Order>, news: &Receiver<News>) -> io::Result<Forced> {
     let mut terminal = ratatui::try_init()?;
-    let outcome = frames(&mut app, &mut terminal, wish, news);
+    let outcome = frames(&mut app, &mut terminal, order, news);
     outcome.and(ratatui::try_restore())?;
     Ok(app.forced())
 }
@@ -27,7 +28,7 @@ pub fn run(mut app: App, wish: &Sender<Wish>, news: &Receiver<News>) -> io::Resu
 fn frames(
     app: &mut App,
     terminal: &mut DefaultTerminal,
-    wish: &Sender<Wish>,
+    order: &Sender<Order>,
     news: &Receiver<News>,
 ) -> io::Result<()> {
     let is_ascii = ascii::is_ascii();
@@ -41,8 +42,8 @@ fn frames(
         })?;
         if event::poll(FRAME)?
             && let Event::Key(key) = event::read()?
-            && let Some(wished) = app.key(key)
-            && wish.send(wished).is_err()
+            && let Some(ordered) = app.key(key)
+            && order.send(ordered).is_err()
         {
             return Err(io::Error::other(messages::watcher_ended()));
         }

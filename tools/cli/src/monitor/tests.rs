@@ -13,7 +13,8 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use unoclp_client::diagnostics::{Diagnostics, Kept, Trouble};
 use unoclp_client::identity::Identity;
 use unoclp_client::map::{Command, State, flag};
-use unoclp_client::watch::{Forces, Meter, Reading, Side, Wish};
+use unoclp_client::order::Order;
+use unoclp_client::watch::{Forces, Meter, Reading, Side};
 use unoclp_core::{After, Image, Inputs};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::random::Random;
@@ -95,7 +96,7 @@ fn showing(reading: Reading) -> App {
     app
 }
 
-fn press(app: &mut App, code: KeyCode) -> Option<Wish> {
+fn press(app: &mut App, code: KeyCode) -> Option<Order> {
     app.key(KeyEvent::new(code, KeyModifiers::NONE))
 }
 
@@ -271,7 +272,7 @@ fn a_reset_and_a_refusal_are_said_until_the_next_key() {
 #[test]
 fn keys_ask_for_what_fits_the_state() {
     let mut app = showing(reading());
-    let command = |command| Some(Wish::Command(command));
+    let command = |command| Some(Order::Command(command));
     assert_eq!(press(&mut app, KeyCode::Char(' ')), command(Command::Stop));
     assert_eq!(
         press(&mut app, KeyCode::Char('s')),
@@ -281,7 +282,7 @@ fn keys_ask_for_what_fits_the_state() {
         press(&mut app, KeyCode::Char('r')),
         command(Command::Restart)
     );
-    assert_eq!(press(&mut app, KeyCode::Char('x')), Some(Wish::Release));
+    assert_eq!(press(&mut app, KeyCode::Char('x')), Some(Order::Release));
     assert_eq!(press(&mut app, KeyCode::Char('z')), None);
     let mut stopped = reading();
     stopped.diagnostics.state = Some(State::Stop);
@@ -297,14 +298,14 @@ fn digits_force_a_point_to_1_then_to_0_and_let_it_go() {
     let mut app = showing(reading());
     let mut reading = reading();
     for to in [Some(true), Some(false), None, Some(true)] {
-        let force = Wish::Force(Side::Inputs, 7, to);
+        let force = Order::Force(Side::Inputs, 7, to);
         assert_eq!(press(&mut app, KeyCode::Char('8')), Some(force));
         reading.forced_inputs.set(7, to);
         app.hear(News::Read(Box::new(reading.clone())));
     }
     assert_eq!(press(&mut app, KeyCode::Char('9')), None);
     press(&mut app, KeyCode::Char('o'));
-    let force = Wish::Force(Side::Outputs, 0, Some(true));
+    let force = Order::Force(Side::Outputs, 0, Some(true));
     assert_eq!(press(&mut app, KeyCode::Char('1')), Some(force));
     assert_eq!(press(&mut app, KeyCode::Char('5')), None, "there are four");
     assert!(screen(&mut app, 80, 24).contains("Outputs: 1 to 4 force"));
@@ -597,7 +598,7 @@ fn an_output_that_no_rung_writes_is_said_to_stay_on_when_it_is_let_go() {
         (now.forced_outputs.points, now.forced_outputs.to) = (0b101, 0b101);
         now.outputs = 0b101;
         app.hear(News::Read(Box::new(now.clone())));
-        assert_eq!(press(&mut app, KeyCode::Char('x')), Some(Wish::Release));
+        assert_eq!(press(&mut app, KeyCode::Char('x')), Some(Order::Release));
         now.forced_outputs = Forces::default();
         app.hear(News::Read(Box::new(now.clone())));
         let lit = screen(&mut app, 80, 30);

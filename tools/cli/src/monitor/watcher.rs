@@ -1,21 +1,18 @@
-//! The thread that reads the board. It says all that it finds, and takes wishes in between.
+//! The thread that reads the board. It says all that it finds, and takes orders in between.
 
 use crate::messages;
 use crate::port::{Place, Port, find};
-use std::cell::{Cell, RefCell};
-use std::collections::VecDeque;
+use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender, TryRecvError};
 use std::thread;
 use std::time::Duration;
-use unoclp_client::diagnostics::Diagnostics;
 use unoclp_client::identity::Identity;
 use unoclp_client::live::Parts;
-use unoclp_client::map::{Command, State, flag};
-use unoclp_client::session::{self, Away, Change, Desk, Event};
-use unoclp_client::watch::{Reading, Scope, Wish};
-use unoclp_client::{Client, Failure, Patience};
-use unoclp_modbus::Exception;
+use unoclp_client::order::Order;
+use unoclp_client::session::{self, Desk, Event, Orders};
+use unoclp_client::watch::{Reading, Scope};
+use unoclp_client::{Failure, Patience};
 
 /// What the thread says.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,7 +26,7 @@ pub enum News {
     },
     /// All that there is to show.
     Read(Box<Reading>),
-    /// A wish was not fulfilled, and why.
+    /// An order was not done, and why.
     Refused(String),
     /// There is no board, or no longer one, and why. It is sought on.
     Lost(String),
@@ -38,16 +35,16 @@ pub enum News {
 /// Time until a lost board is sought again.
 const AGAIN: Duration = Duration::from_secs(1);
 
-/// Starts a thread that watches the board. It ends when nobody wishes or listens any more.
+/// Starts a thread that watches the board. It ends when nobody orders or listens any more.
 ///
-/// What is forced ends at the board behind `end_forcing` seconds without a request, 1 to 254.
+/// What is forced ends at the board after `end_forcing` seconds without a request, 1 to 254.
 pub fn watch(
     place: Place,
     patience: Patience,
     scope: Scope,
     end_forcing: Option<u8>,
-) -> (Sender<Wish>, Receiver<News>) {
-    let (wish, wishes) = mpsc::channel();
+) -> (Sender<Order>, Receiver<News>) {
+    let (order, orders) = mpsc::channel();
     let (say, news) = mpsc::channel();
     thread::spawn(move || {
         let watcher = Watcher {
@@ -55,16 +52,16 @@ pub fn watch(
             patience,
             scope,
             end_forcing,
-            wishes,
+            orders,
             say,
         };
         // It ends by nobody being there; there is nobody to tell that either.
         let _ = watcher.run();
     });
-    (wish, news)
+    (order, news)
 }
 
-/// Nobody wishes or listens any more.
+/// Nobody orders or listens any more.
 struct Gone;
 
 struct Watcher {
@@ -72,7 +69,7 @@ struct Watcher {
     patience: Patience,
     scope: Scope,
     end_forcing: Option<u8>,
-    wishes: Receiver<Wish>,
+    orders: Receiver<Order>,
     say: Sender<News>,
 }
 
@@ -90,8 +87,8 @@ impl Watcher {
                 }
                 Err(not_found) => self.say(News::Lost(not_found.to_string()))?,
             }
-            while self.wish(AGAIN)?.is_some() {
-                self.say(News::Refused(messages::no_board_to_do_it()))?;
+            while self.order(AGAIN)?.is_some() {
+                self.say(News::Refused(messages::no_board_there()))?;
             }
         }
     }
@@ -100,12 +97,12 @@ impl Watcher {
     fn watch(&self, mut port: Port) -> Result<Failure, Gone> {
         let desk = At {
             watcher: self,
-            wishes: RefCell::default(),
+            orders: Orders::default(),
             listens: Cell::new(true),
         };
         let attend = || loop {
-            match self.wishes.try_recv() {
-                Ok(wish) => desk.wishes.borrow_mut().push_back(wish),
+            match self.orders.try_recv() {
+                Ok(order) => desk.orders.borrow_mut().push_back(order),
                 Err(TryRecvError::Empty) if desk.listens.get() => {
                     return ControlFlow::Continue(());
                 }
@@ -123,10 +120,10 @@ impl Watcher {
         self.say.send(news).map_err(|_| Gone)
     }
 
-    /// The next wish, if there is one within this time.
-    fn wish(&self, within: Duration) -> Result<Option<Wish>, Gone> {
-        match self.wishes.recv_timeout(within) {
-            Ok(wish) => Ok(Some(wish)),
+    /// The next order, if there is one within this time.
+    fn order(&self, within: Duration) -> Result<Option<Order>, Gone> {
+        match self.orders.recv_timeout(within) {
+            Ok(order) => Ok(Some(order)),
             Err(RecvTimeoutError::Timeout) => Ok(None),
             Err(RecvTimeoutError::Disconnected) => Err(Gone),
         }
@@ -136,7 +133,7 @@ impl Watcher {
 /// The monitor at a board that it has found.
 struct At<'w> {
     watcher: &'w Watcher,
-    wishes: RefCell<VecDeque<Wish>>,
+    orders: Orders,
     listens: Cell<bool>,
 }
 
@@ -148,98 +145,27 @@ impl At<'_> {
 }
 
 impl Desk for At<'_> {
-    type Order = Wish;
-
     /// A person looks at all of it.
     fn wants(&self) -> (Scope, Parts) {
         (self.watcher.scope, Parts::ALL)
     }
 
+    fn end_forcing(&self) -> Option<u8> {
+        self.watcher.end_forcing
+    }
+
+    fn orders(&self) -> &Orders {
+        &self.orders
+    }
+
     fn hear(&self, event: Event<'_>) {
-        // That it is found and lost is said with its port.
-        if let Event::Seen(reading) = event {
-            self.say(News::Read(Box::new(reading.clone())));
-        }
-    }
-
-    fn has_orders(&self) -> bool {
-        !self.wishes.borrow().is_empty()
-    }
-
-    fn next(&self) -> Option<Wish> {
-        self.wishes.borrow_mut().pop_front()
-    }
-
-    fn change(&self, wish: &Wish) -> Change {
-        match wish {
-            Wish::Force(..) | Wish::Release => Change::Points,
-            Wish::Command(_) => Change::All,
-        }
-    }
-
-    async fn fulfil(&self, client: &mut Client, wish: Wish) -> Result<(), Failure> {
-        match wish.fulfil_until(client, self.watcher.end_forcing).await {
-            Err(Failure::Refused(exception)) => {
-                let board = Diagnostics::read(client).await?;
-                self.say(News::Refused(refused(wish, exception, &board)));
-                Ok(())
+        match event {
+            Event::Seen(reading) => self.say(News::Read(Box::new(reading.clone()))),
+            Event::Undone(why) => {
+                self.say(News::Refused(messages::undone(why)));
             }
-            other => other,
-        }
-    }
-
-    fn undone(&self, _: Wish, _: &Away) {
-        self.say(News::Refused(messages::no_board_to_do_it()));
-    }
-}
-
-/// Why a board has refused something.
-fn refused(wish: Wish, exception: Exception, board: &Diagnostics) -> String {
-    match (exception, wish) {
-        (Exception::ServerDeviceFailure, _) => refusal(wish, board),
-        (Exception::IllegalFunction, Wish::Command(_)) => messages::refused_commands(),
-        (Exception::IllegalFunction, _) => messages::refused_writing(),
-        (other, _) => messages::failure(&Failure::Refused(other)),
-    }
-}
-
-/// Why a board does not do something now.
-fn refusal(wish: Wish, board: &Diagnostics) -> String {
-    let scan = wish == Wish::Command(Command::SingleScan);
-    if board.state == Some(State::Fault) {
-        messages::refused_in_fault()
-    } else if board.has(flag::STOP_SWITCH) {
-        messages::refused_by_switch()
-    } else if board.has(flag::UPLOAD) {
-        messages::refused_in_upload()
-    } else if scan {
-        messages::refused_scan()
-    } else {
-        messages::refused()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_refusal_says_what_stands_in_its_way() {
-        let board = |state, flags| Diagnostics {
-            state: Some(state),
-            flags,
-            ..Diagnostics::default()
-        };
-        let (run, scan) = (Command::Run, Command::SingleScan);
-        for (command, board, says) in [
-            (run, board(State::Fault, 0), "FAULT: r restarts"),
-            (run, board(State::Stop, flag::STOP_SWITCH), "A5 is closed"),
-            (scan, board(State::Stop, flag::UPLOAD), "upload"),
-            (scan, board(State::Run, 0), "press space"),
-            (run, board(State::Stop, 0), "cannot do that now"),
-        ] {
-            let said = refusal(Wish::Command(command), &board);
-            assert!(said.contains(says), "{said}");
+            // That it is found and lost is said with its port; nothing else is ordered here.
+            _ => {}
         }
     }
 }

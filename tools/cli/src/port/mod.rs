@@ -2,11 +2,11 @@
 //!
 //! - `place`: which port, and what is spoken there
 //! - `open`: opening the port without resetting the board behind it
-//! - `flash`: a firmware through the boot loader
+//! - `reset`: the board, reset for its boot loader
 
-mod flash;
 mod open;
 mod place;
+mod reset;
 
 pub use open::NotOpened;
 pub use place::Place;
@@ -19,7 +19,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 use unoclp_client::identity::Identity;
 use unoclp_client::start;
-use unoclp_client::{Client, Conversation, Failure, Line, Next, Patience};
+use unoclp_client::{Client, Conversation, Failure, Format, Line, Next, Patience};
 
 /// An open serial port.
 pub struct Port {
@@ -28,6 +28,8 @@ pub struct Port {
     patience: Patience,
     /// Where the time of its conversations begins.
     begun: Instant,
+    /// How bytes are sent at present.
+    format: Format,
 }
 
 /// The longest time for which a conversation goes on unattended.
@@ -46,6 +48,7 @@ impl Port {
             line: place.line,
             patience,
             begun,
+            format: place.line.format(),
         };
         Ok((port, may_be_reset))
     }
@@ -69,14 +72,29 @@ impl Port {
             attend()?;
             let step = conversation.step(self.begun.elapsed(), &came);
             came.clear();
-            let carried = match step.next {
+            let until = match step.next {
                 Next::Done(outcome) => return ControlFlow::Continue(outcome),
-                Next::Wait(until) => self.carry(&step.send, until, &mut came),
+                Next::Wait(until) => until,
             };
+            let spoken = self.speak(step.format);
+            if step.reset {
+                self.reset();
+            }
+            let carried = spoken.and_then(|()| self.carry(&step.send, until, &mut came));
             if let Err(error) = carried {
                 conversation.lose(messages::io(&error));
             }
         }
+    }
+
+    /// Sends and takes bytes in this form from now on.
+    fn speak(&mut self, format: Format) -> io::Result<()> {
+        if format != self.format {
+            self.port.set_baud_rate(format.rate)?;
+            self.port.set_parity(open::parity(format.parity))?;
+            self.format = format;
+        }
+        Ok(())
     }
 
     /// Sends these bytes, and takes what comes until then, or until it is time to attend.

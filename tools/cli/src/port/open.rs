@@ -12,6 +12,15 @@ use std::io;
 use std::time::Duration;
 use unoclp_client::Parity;
 
+/// A parity as ports call it.
+pub(super) fn parity(parity: Parity) -> serialport::Parity {
+    match parity {
+        Parity::None => serialport::Parity::None,
+        Parity::Even => serialport::Parity::Even,
+        Parity::Odd => serialport::Parity::Odd,
+    }
+}
+
 /// Why a port cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum NotOpened {
@@ -57,13 +66,8 @@ pub enum NotOpened {
 /// Where the port is not there or may not be used.
 pub(super) fn open(place: &Place) -> Result<(Box<dyn SerialPort>, bool), NotOpened> {
     let may_reset = keep_dtr(&place.port).map_err(|error| not_opened(&place.port, error))?;
-    let parity = match place.line.parity {
-        Parity::None => serialport::Parity::None,
-        Parity::Even => serialport::Parity::Even,
-        Parity::Odd => serialport::Parity::Odd,
-    };
     let port = serialport::new(&place.port, place.line.rate)
-        .parity(parity)
+        .parity(parity(place.line.parity))
         .timeout(Duration::ZERO)
         .preserve_dtr_on_open()
         .open();

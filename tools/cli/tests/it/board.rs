@@ -9,7 +9,8 @@ use unoclp_cli::monitor::{News, watch};
 use unoclp_cli::port::{NotFound, NotOpened, find};
 use unoclp_client::diagnostics::Diagnostics;
 use unoclp_client::map::{Command, State};
-use unoclp_client::watch::{Reading, Scope, Side, Wish};
+use unoclp_client::order::Order;
+use unoclp_client::watch::{Reading, Scope, Side, command as give};
 use unoclp_client::{Patience, lock};
 
 #[test]
@@ -26,8 +27,8 @@ fn a_port_has_one_conversation_after_the_other() {
     let fake = Fake::new(Board::in_state(STOP));
     let mut port = find(&fake.place(), PATIENT).unwrap().port;
     for (command, state) in [(Command::Run, State::Run), (Command::Stop, State::Stop)] {
-        let wish = Wish::Command(command);
-        port.talk(async |client| wish.fulfil(client).await).unwrap();
+        port.talk(async |client| give(client, command).await)
+            .unwrap();
         let board = port.talk(Diagnostics::read).unwrap();
         assert_eq!(board.state, Some(state));
     }
@@ -107,7 +108,7 @@ fn what_is_no_board_is_told_apart() {
 
     let (error, path) = message(Fake::with(Board::default(), |_, _| Fate::Unplugged));
     assert!(
-        error.starts_with(&format!("{path}: the port has disappeared: ")),
+        error.starts_with(&format!("{path}: the connection is lost: ")),
         "{error}"
     );
 }
@@ -171,9 +172,9 @@ fn until(news: &Receiver<News>, is_so: impl Fn(&Reading) -> bool) {
 }
 
 #[test]
-fn a_board_that_is_watched_does_what_is_wished() {
+fn a_board_that_is_watched_does_what_is_ordered() {
     let fake = Fake::new(Board::default());
-    let (wish, news) = watch(fake.place(), PATIENT, Scope::default(), None);
+    let (order, news) = watch(fake.place(), PATIENT, Scope::default(), None);
     let first = news.recv().unwrap();
     assert!(
         matches!(
@@ -188,14 +189,16 @@ fn a_board_that_is_watched_does_what_is_wished() {
     until(&news, |reading| {
         reading.diagnostics.state == Some(State::Run)
     });
-    wish.send(Wish::Force(Side::Inputs, 0, Some(true))).unwrap();
+    order
+        .send(Order::Force(Side::Inputs, 0, Some(true)))
+        .unwrap();
     until(&news, |reading| reading.inputs == 1);
-    wish.send(Wish::Command(Command::Stop)).unwrap();
+    order.send(Order::Command(Command::Stop)).unwrap();
     until(&news, |reading| {
         reading.diagnostics.state == Some(State::Stop)
     });
     fake.board().switch = true;
-    wish.send(Wish::Command(Command::Run)).unwrap();
+    order.send(Order::Command(Command::Run)).unwrap();
     let why = next(&news, |news| match news {
         News::Refused(why) => Some(why),
         _ => None,
@@ -208,8 +211,9 @@ fn a_board_that_is_watched_does_what_is_wished() {
 #[test]
 fn what_a_monitor_forces_ends_behind_it() {
     let fake = Fake::new(Board::default());
-    let (wish, news) = watch(fake.place(), PATIENT, Scope::default(), Some(10));
-    wish.send(Wish::Force(Side::Outputs, 0, Some(true)))
+    let (order, news) = watch(fake.place(), PATIENT, Scope::default(), Some(10));
+    order
+        .send(Order::Force(Side::Outputs, 0, Some(true)))
         .unwrap();
     until(&news, |reading| reading.forced_outputs.points == 1);
     assert_eq!(fake.board().forces, [0, 0, 1, 1, 10]);
@@ -222,18 +226,18 @@ fn what_is_locked_is_refused_for_that() {
         ..Board::default()
     };
     let fake = Fake::new(locked);
-    let (wish, news) = watch(fake.place(), PATIENT, Scope::default(), None);
-    let refusal = |wished| {
-        wish.send(wished).unwrap();
+    let (order, news) = watch(fake.place(), PATIENT, Scope::default(), None);
+    let refusal = |ordered| {
+        order.send(ordered).unwrap();
         next(&news, |news| match news {
             News::Refused(why) => Some(why),
             _ => None,
         })
     };
-    let why = refusal(Wish::Command(Command::Stop));
+    let why = refusal(Order::Command(Command::Stop));
     assert_eq!(why, "commands are locked on this board");
-    for wished in [Wish::Force(Side::Inputs, 0, Some(true)), Wish::Release] {
-        let why = refusal(wished);
+    for ordered in [Order::Force(Side::Inputs, 0, Some(true)), Order::Release] {
+        let why = refusal(ordered);
         assert_eq!(why, "writing and forcing are locked on this board");
     }
 }
@@ -253,13 +257,13 @@ fn a_board_that_is_lost_is_found_again() {
         attempts: 2,
         ..PATIENT
     };
-    let (_wish, news) = watch(fake.place(), patience, Scope::default(), None);
+    let (_order, news) = watch(fake.place(), patience, Scope::default(), None);
     let lost = |news| match news {
         News::Lost(why) => Some(why),
         _ => None,
     };
     let why = next(&news, lost);
-    assert!(why.contains("not Modbus"), "{why}");
+    assert!(why.contains("unreadable"), "{why}");
     next(&news, |news| {
         matches!(news, News::Found { .. }).then_some(())
     });
@@ -272,8 +276,8 @@ fn a_board_that_is_lost_is_found_again() {
 fn a_port_that_is_not_there_is_looked_for() {
     let mut place = Fake::new(Board::default()).place();
     place.port = "/dev/no-such-port".to_owned();
-    let (wish, news) = watch(place, IMPATIENT, Scope::default(), None);
-    wish.send(Wish::Release).unwrap();
+    let (order, news) = watch(place, IMPATIENT, Scope::default(), None);
+    order.send(Order::Release).unwrap();
     let News::Lost(why) = news.recv().unwrap() else {
         panic!("it is there");
     };

@@ -258,8 +258,8 @@ fn said_of_settings(fake: &Fake, more: &[&str]) -> String {
         .collect()
 }
 
-const TO_UNLOCK: &str = "; to unlock, reset the board with A5 and 01 to 04 to ground, then write any setting: \
-                         `unoclp settings --set-address 1`\n";
+const TO_UNLOCK: &str = "; to unlock, reset the board with A5 and the inputs 01 to 04 to ground, then write any \
+                         setting\n";
 
 #[test]
 fn a_lock_grows_and_needs_no_restart() {
@@ -376,8 +376,8 @@ fn settings_that_change_too_often_are_refused_and_the_board_runs_on() {
         ..Board::default()
     });
     let (code, out, err) = on(&fake, &["settings", "--set-address", "7"]);
-    let says = "error: the board rejected the settings: refused: \
-                the board has stored settings or programs too often; try again in an hour, or after a power cycle (06)\n";
+    let says = "error: the board rejected the settings: the board is busy; if it has stored settings or programs too \
+                often, try again in an hour, or after a power cycle\n";
     assert_eq!((code, err.as_str()), (2, says));
     assert!(out.ends_with("nothing locked\nRUN\n"), "{out}");
     assert_eq!(fake.board().state, RUN);
@@ -422,7 +422,7 @@ fn a_board_whose_commands_are_locked_is_stopped_by_a5_only() {
     });
     let (code, _, err) = on(&fake, &["upload", &program]);
     let says = "error: the program is stored, but the board does not start it: \
-                refused: the board is locked against this, or lacks the function (01)\n";
+                the board is locked against this\n";
     assert_eq!((code, err.as_str()), (2, says));
 }
 
@@ -579,7 +579,7 @@ fn a_board_is_told_of_in_portuguese() {
         (
             worn,
             settings,
-            "recusado: a placa gravou ajustes ou programas vezes demais",
+            "se gravou ajustes ou programas vezes demais, tente de novo",
         ),
         (failing, upload, "falha 75: desvios demais para trás"),
         (card, upload, "leu outro PROGRAM.TXT"),

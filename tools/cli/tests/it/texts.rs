@@ -10,6 +10,7 @@ const TABLES: &[&str] = &[
     "tools/cli/src/metrics.rs",
     "tools/cli/src/commands/help.rs",
     "tools/cli/src/commands/refuse.rs",
+    "tools/client/src/words.rs",
     "tools/exercise/src/diagram/words.rs",
     "tools/exercise/src/scenario/words.rs",
     "tools/program/src/diagnosis/help.rs",

@@ -5,7 +5,7 @@ use crate::line::{MS, Wire};
 use std::time::Duration;
 use unoclp_client::live::{Live, Parts};
 use unoclp_client::map::{Command, holding, input};
-use unoclp_client::watch::{Meter, Reading, Scope, Side, Wish};
+use unoclp_client::watch::{Meter, Reading, Scope, Side, command, force};
 use unoclp_client::{Client, Failure};
 
 const ALL: Parts = Parts {
@@ -136,8 +136,7 @@ fn what_was_just_forced_is_known_in_the_next_round() {
     let mut live = Live::default();
     let reading = wire.talk(async |client| {
         rounds(client, &mut live, 3, (LARGE, ALL)).await?;
-        let force = Wish::Force(Side::Outputs, 1, Some(true));
-        force.fulfil(client).await?;
+        force(client, Side::Outputs, 1, Some(true), None).await?;
         live.points_have_changed();
         rounds(client, &mut live, 1, (LARGE, ALL)).await
     });
@@ -162,7 +161,7 @@ fn another_program_or_a_restart_has_everything_read() {
     // While nobody looked the board has restarted, with another program.
     uptime(&mut wire, 20);
     wire.board.kept.sum = 4711;
-    wire.talk(async |client| Wish::Command(Command::Stop).fulfil(client).await)
+    wire.talk(async |client| command(client, Command::Stop).await)
         .unwrap();
     let reading = read(&mut wire, Scope::default());
     assert_eq!(reading.diagnostics.program.sum, 4711);

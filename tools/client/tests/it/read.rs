@@ -5,8 +5,9 @@ use crate::line::Wire;
 use unoclp_client::diagnostics::{Diagnostics, Kept};
 use unoclp_client::lock;
 use unoclp_client::map::{Command, Parity, State, cause, holding, input};
+use unoclp_client::order::{Done, Order, Refusal, Undone};
 use unoclp_client::settings::{Settings, read_lock};
-use unoclp_client::watch::{Forces, Meter, Reading, Scope, Side, Wish};
+use unoclp_client::watch::{Forces, Meter, Reading, Scope, Side};
 use unoclp_client::{Client, Failure};
 use unoclp_modbus::Exception;
 
@@ -15,8 +16,8 @@ fn read(wire: &mut Wire, scope: Scope) -> Reading {
         .unwrap()
 }
 
-fn fulfil(wire: &mut Wire, wish: Wish) -> Result<(), Failure> {
-    wire.talk(async |client| wish.fulfil(client).await)
+fn fulfil(wire: &mut Wire, order: Order) -> Result<Done, Undone> {
+    wire.talk(async |client| order.fulfil(client, None, &mut |_| ()).await)
 }
 
 #[test]
@@ -95,22 +96,22 @@ fn a_board_without_markers_and_registers_is_read_too() {
 #[test]
 fn points_are_forced_and_let_go() {
     let mut wire = Wire::new(Board::default());
-    let mut wish = |wish: Wish| {
-        fulfil(&mut wire, wish).unwrap();
+    let mut wish = |order: Order| {
+        fulfil(&mut wire, order).unwrap();
         (read(&mut wire, Scope::default()), wire.board.forces)
     };
-    let (reading, _) = wish(Wish::Force(Side::Inputs, 7, Some(true)));
+    let (reading, _) = wish(Order::Force(Side::Inputs, 7, Some(true)));
     assert_eq!((reading.inputs, reading.forced_inputs.points), (0x80, 0x80));
-    let (reading, _) = wish(Wish::Force(Side::Inputs, 0, Some(false)));
+    let (reading, _) = wish(Order::Force(Side::Inputs, 0, Some(false)));
     let both = Forces {
         points: 0x81,
         to: 0x80,
     };
     assert_eq!(reading.forced_inputs, both);
-    wish(Wish::Force(Side::Inputs, 7, None));
-    let (_, forces) = wish(Wish::Force(Side::Outputs, 3, Some(true)));
+    wish(Order::Force(Side::Inputs, 7, None));
+    let (_, forces) = wish(Order::Force(Side::Outputs, 3, Some(true)));
     assert_eq!(forces, [1, 0, 8, 8, 0]);
-    let (_, forces) = wish(Wish::Release);
+    let (_, forces) = wish(Order::Release);
     assert_eq!(forces, [0; 5]);
 }
 
@@ -118,7 +119,7 @@ fn points_are_forced_and_let_go() {
 fn commands_reach_the_board() {
     let mut wire = Wire::new(Board::default());
     let mut command = |command| {
-        let outcome = fulfil(&mut wire, Wish::Command(command));
+        let outcome = fulfil(&mut wire, Order::Command(command));
         let Board {
             state,
             single_scans,
@@ -127,12 +128,15 @@ fn commands_reach_the_board() {
         } = wire.board;
         (outcome, state, single_scans, restarts)
     };
-    assert_eq!(command(Command::Stop), (Ok(()), STOP, 0, 0));
-    assert_eq!(command(Command::SingleScan), (Ok(()), STOP, 1, 0));
-    assert_eq!(command(Command::Run), (Ok(()), RUN, 1, 0));
-    let refused = Err(Failure::Refused(Exception::ServerDeviceFailure));
+    assert_eq!(command(Command::Stop), (Ok(Done::Plainly), STOP, 0, 0));
+    assert_eq!(
+        command(Command::SingleScan),
+        (Ok(Done::Plainly), STOP, 1, 0)
+    );
+    assert_eq!(command(Command::Run), (Ok(Done::Plainly), RUN, 1, 0));
+    let refused = Err(Undone::Refused(Refusal::NotInStop));
     assert_eq!(command(Command::SingleScan), (refused, RUN, 1, 0));
-    assert_eq!(command(Command::Restart), (Ok(()), RUN, 1, 1));
+    assert_eq!(command(Command::Restart), (Ok(Done::Plainly), RUN, 1, 1));
 }
 
 #[test]
@@ -144,7 +148,10 @@ fn a_command_whose_answer_is_lost_is_repeated() {
             false => Fate::Answered,
         }
     });
-    assert_eq!(fulfil(&mut wire, Wish::Command(Command::Stop)), Ok(()));
+    assert_eq!(
+        fulfil(&mut wire, Order::Command(Command::Stop)),
+        Ok(Done::Plainly)
+    );
     assert_eq!((wire.board.state, wire.sent.len()), (STOP, 2));
 }
 

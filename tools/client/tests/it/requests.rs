@@ -153,9 +153,9 @@ fn a_port_that_goes_ends_what_is_said() {
 fn a_step_too_many_does_no_harm() {
     let mut conversation = Conversation::new(Line::default(), PATIENCE, state);
     let at = |ms: u32| ms * MS;
-    let Step { send, next } = conversation.step(at(0), &[]);
+    let Step { send, next, .. } = conversation.step(at(0), &[]);
     assert_eq!((send, next), (Vec::new(), Next::Wait(at(2))));
-    let Step { send, next } = conversation.step(at(1), &[]);
+    let Step { send, next, .. } = conversation.step(at(1), &[]);
     assert_eq!((send, next), (Vec::new(), Next::Wait(at(2))));
     let sent = conversation.step(at(2), &[]);
     assert_eq!(sent.send.len(), 8);
@@ -168,13 +168,15 @@ fn a_step_too_many_does_no_harm() {
         (4, &begin[2..4]),
         (9, &begin[4..]),
     ] {
-        let Step { send, next } = conversation.step(at(ms), came);
+        let Step { send, next, .. } = conversation.step(at(ms), came);
         assert_eq!((send, next), (Vec::new(), Next::Wait(until)));
     }
     let done = conversation.step(at(10), &[*last]);
     assert_eq!(done.next, Next::Done(Ok(RUN)));
     let behind = conversation.step(at(11), &[1, 2, 3]);
     let nothing = Step {
+        format: Line::default().format(),
+        reset: false,
         send: Vec::new(),
         next: Next::Wait(Duration::MAX),
     };

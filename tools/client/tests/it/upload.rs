@@ -5,15 +5,15 @@ use crate::line::Wire;
 use unoclp_client::diagnostics::{Kept, Trouble};
 use unoclp_client::map::{BLOCK_BYTES, Command, State, flag, holding};
 use unoclp_client::upload::{
-    Behind, Broken, Codes, FIRST_SCANS, Pass, Progress, end, go_on, stop, upload, upload_program,
+    Behind, Broken, Codes, FIRST_SCANS, Pass, Progress, Upload, end, go_on, stop, upload,
 };
-use unoclp_client::watch::Wish;
+use unoclp_client::watch::command;
 use unoclp_client::{Failure, lock};
 use unoclp_core::{Loader, Program};
 use unoclp_modbus::eeprom::program::FORM;
 use unoclp_modbus::{Exception, Points};
 
-const FOLLOW: &str = "0\n787600\n827301\n847978\n3\n7901\n";
+pub const FOLLOW: &str = "0\n787600\n827301\n847978\n3\n7901\n";
 
 /// A program of several blocks.
 fn long() -> String {
@@ -61,7 +61,7 @@ fn a_program_is_sent_twice_and_stored() {
 }
 
 /// A program of this text.
-fn program<T>(text: &str, see: impl FnOnce(&Program<'_>) -> T) -> T {
+pub fn program<T>(text: &str, see: impl FnOnce(&Program<'_>) -> T) -> T {
     let mut memory = [0; 2_000];
     let mut loader = Loader::new(&mut memory, unoclp_core::Board::UNO);
     text.bytes().for_each(|byte| loader.push(byte).unwrap());
@@ -95,7 +95,8 @@ fn of_a_program_the_codes_are_sent() {
         let mut wire = Wire::new(Board::in_state(STOP));
         let kept = program(text, |program| {
             wire.talk(async |client| {
-                upload_program(client, program, text.as_bytes(), &mut |_| ()).await
+                let upload = Upload::of(program, text.as_bytes());
+                upload.send(client, &mut |_| ()).await
             })
         });
         assert_eq!(wire.board.text, sent.as_bytes());
@@ -223,9 +224,8 @@ fn a_board_whose_commands_are_locked_takes_an_upload() {
         let refused = Failure::Refused(Exception::IllegalFunction);
         assert_eq!(behind, Err(refused));
     }
-    let begin = Wish::Command(Command::Upload);
     let mut wire = Wire::new(board(STOP, false));
-    wire.talk(async |client| begin.fulfil(client).await)
+    wire.talk(async |client| command(client, Command::Upload).await)
         .unwrap();
     let left = wire.talk(end).unwrap();
     assert!(left.has(flag::UPLOAD), "it is left to end by itself");
@@ -409,8 +409,7 @@ fn a_board_that_fails_in_its_first_second_does_not_run() {
 #[test]
 fn an_upload_that_is_broken_off_ends_in_order() {
     let mut wire = Wire::new(Board::in_state(STOP));
-    let begin = Wish::Command(Command::Upload);
-    wire.talk(async |client| begin.fulfil(client).await)
+    wire.talk(async |client| command(client, Command::Upload).await)
         .unwrap();
     assert!(wire.board.is_uploading());
     let board = wire.talk(end).unwrap();

@@ -1,85 +1,85 @@
 //! A board that is watched.
 
 use crate::fake::{Board, Fate, RUN, STOP};
-use crate::line::Wire;
+use crate::line::{PATIENCE, Wire};
 use std::cell::RefCell;
-use std::collections::VecDeque;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use unoclp_client::diagnostics::Diagnostics;
+use std::time::Duration;
+use unoclp_boot::{Image, Model};
 use unoclp_client::live::Parts;
 use unoclp_client::map::{Command, State, holding};
-use unoclp_client::session::{Away, Change, Desk, Event, talk, watch};
-use unoclp_client::watch::{Reading, Scope, Side, Wish};
-use unoclp_client::{Client, Failure};
-use unoclp_modbus::Exception;
+use unoclp_client::order::{Order, Refusal, Undone};
+use unoclp_client::session::{Away, Desk, Event, Orders, talk, watch};
+use unoclp_client::upload::Upload;
+use unoclp_client::watch::{Reading, Scope, Side};
+use unoclp_client::{Client, Conversation, Failure, Format, Line, Next, Parity};
 
-/// Who watches: orders one wish after each reading, and unplugs the board after so many.
+/// Who watches: orders one thing after each reading, and unplugs the board after so many.
 struct Watcher {
-    wishes: RefCell<VecDeque<Wish>>,
-    ordered: RefCell<VecDeque<Wish>>,
+    /// What is to be ordered, the first last.
+    wanted: RefCell<Vec<Order>>,
+    ordered: Orders,
     ends: Option<u8>,
     readings: RefCell<Vec<Reading>>,
-    refused: RefCell<Vec<(Wish, Exception, Diagnostics)>>,
-    undone: RefCell<Vec<Wish>>,
+    /// All else that was heard, in a word or two.
+    heard: RefCell<Vec<String>>,
+    undone: RefCell<Vec<Undone>>,
     most: usize,
     unplugged: Arc<AtomicBool>,
 }
 
 impl Desk for Watcher {
-    type Order = Wish;
-
     fn wants(&self) -> (Scope, Parts) {
         (Scope::default(), Parts::ALL)
     }
 
+    fn end_forcing(&self) -> Option<u8> {
+        self.ends
+    }
+
+    fn orders(&self) -> &Orders {
+        &self.ordered
+    }
+
     fn hear(&self, event: Event<'_>) {
-        if let Event::Seen(reading) = event {
-            let mut readings = self.readings.borrow_mut();
-            readings.push(reading.clone());
-            let is_over = readings.len() >= self.most;
-            self.unplugged.store(is_over, Ordering::Relaxed);
-            self.ordered
-                .borrow_mut()
-                .extend(self.wishes.borrow_mut().pop_front());
-        }
-    }
-
-    fn has_orders(&self) -> bool {
-        !self.ordered.borrow().is_empty()
-    }
-
-    fn next(&self) -> Option<Wish> {
-        self.ordered.borrow_mut().pop_front()
-    }
-
-    fn change(&self, _: &Wish) -> Change {
-        Change::All
-    }
-
-    async fn fulfil(&self, client: &mut Client, wish: Wish) -> Result<(), Failure> {
-        match wish.fulfil_until(client, self.ends).await {
-            Err(Failure::Refused(exception)) => {
-                let board = Diagnostics::read(client).await?;
-                self.refused.borrow_mut().push((wish, exception, board));
-                Ok(())
+        let heard = match event {
+            Event::Seen(reading) => {
+                let mut readings = self.readings.borrow_mut();
+                readings.push(reading.clone());
+                let is_over = readings.len() >= self.most;
+                self.unplugged.store(is_over, Ordering::Relaxed);
+                let wanted = self.wanted.borrow_mut().pop();
+                return self.ordered.borrow_mut().extend(wanted);
             }
-            other => other,
+            Event::Undone(undone) => {
+                self.undone.borrow_mut().push(undone.clone());
+                "undone".to_owned()
+            }
+            Event::Stopped { before, .. } => format!("stopped from {:?}", before.state.unwrap()),
+            Event::Done(done) => format!("{done:?}"),
+            Event::Flashing(progress) => format!("{:?}", progress.stage),
+            Event::Found(_) => "found".to_owned(),
+            Event::Lost(_) => "lost".to_owned(),
+            Event::Stored(_) => "stored".to_owned(),
+            Event::Settings(_) => "settings".to_owned(),
+            Event::Released(_) => "released".to_owned(),
+            Event::Sent(_) => return,
+        };
+        let mut all = self.heard.borrow_mut();
+        if all.last() != Some(&heard) {
+            all.push(heard);
         }
-    }
-
-    fn undone(&self, wish: Wish, _: &Away) {
-        self.undone.borrow_mut().push(wish);
     }
 }
 
-fn watcher(readings: usize, ends: Option<u8>, wishes: &[Wish]) -> Watcher {
+fn watcher(readings: usize, ends: Option<u8>, wanted: &[Order]) -> Watcher {
     Watcher {
-        wishes: RefCell::new(wishes.iter().copied().collect()),
-        ordered: RefCell::default(),
+        wanted: RefCell::new(wanted.iter().rev().cloned().collect()),
+        ordered: Orders::default(),
         ends,
         readings: RefCell::default(),
-        refused: RefCell::default(),
+        heard: RefCell::default(),
         undone: RefCell::default(),
         most: readings,
         unplugged: Arc::default(),
@@ -94,14 +94,14 @@ fn wire(board: Board, watcher: &Watcher) -> Wire {
     })
 }
 
-/// Watches a board for so many readings, with a wish after each of the first.
+/// Watches a board for so many readings, with an order after each of the first.
 fn watched(
     board: Board,
     readings: usize,
     ends: Option<u8>,
-    wishes: &[Wish],
+    orders: &[Order],
 ) -> (Wire, Watcher, Failure) {
-    let watcher = watcher(readings, ends, wishes);
+    let watcher = watcher(readings, ends, orders);
     let mut wire = wire(board, &watcher);
     let failure = wire.talk(async |client: &mut Client| watch(client, &watcher).await);
     (wire, watcher, failure)
@@ -116,11 +116,11 @@ fn a_board_is_read_over_and_over_until_it_is_lost() {
 
 #[test]
 fn a_board_does_what_is_wished() {
-    let wishes = [
-        Wish::Force(Side::Inputs, 0, Some(true)),
-        Wish::Command(Command::Stop),
+    let orders = [
+        Order::Force(Side::Inputs, 0, Some(true)),
+        Order::Command(Command::Stop),
     ];
-    let (_, watcher, _) = watched(Board::default(), 3, None, &wishes);
+    let (_, watcher, _) = watched(Board::default(), 3, None, &orders);
     let readings = watcher.readings.borrow();
     let states = readings.iter();
     let states: Vec<_> = states
@@ -132,20 +132,24 @@ fn a_board_does_what_is_wished() {
 
 #[test]
 fn what_is_ordered_of_a_board_that_is_lost_is_not_done_later() {
-    let stop = Wish::Command(Command::Stop);
+    let stop = Order::Command(Command::Stop);
     let watcher = watcher(1, None, &[stop]);
     let mut wire = wire(Board::default(), &watcher);
     wire.talk(async |client: &mut Client| talk(client, &watcher, false).await);
     assert_eq!(watcher.readings.borrow().len(), 1);
     assert_eq!(wire.board.state, RUN);
-    assert!(watcher.ordered.borrow().is_empty());
+    let undone = watcher.undone.borrow();
+    assert!(
+        matches!(&undone[..], [Undone::Lost(_) | Undone::Away(Away::Gone(_))]),
+        "{undone:?}"
+    );
 }
 
 #[test]
 fn what_is_forced_ends_where_nobody_asks() {
-    let forced = |to| Wish::Force(Side::Inputs, 0, to);
-    let ends = |end_forcing, wish| {
-        let (wire, watcher, _) = watched(Board::default(), 3, end_forcing, &[wish]);
+    let forced = |to| Order::Force(Side::Inputs, 0, to);
+    let ends = |end_forcing, order| {
+        let (wire, watcher, _) = watched(Board::default(), 3, end_forcing, &[order]);
         let ends = watcher.readings.borrow().last().unwrap().forcing_ends;
         assert_eq!(ends, Some(wire.board.forces[4] as u8));
         (wire.board.forces[0], ends.unwrap())
@@ -154,12 +158,12 @@ fn what_is_forced_ends_where_nobody_asks() {
     assert_eq!(ends(None, forced(Some(true))), (1, 0));
     // What is let go needs no end.
     assert_eq!(ends(Some(10), forced(None)), (0, 0));
-    assert_eq!(ends(Some(10), Wish::Release), (0, 0));
+    assert_eq!(ends(Some(10), Order::Release), (0, 0));
 }
 
 #[test]
 fn no_point_is_forced_before_its_end_is_set() {
-    let force = Wish::Force(Side::Outputs, 1, Some(true));
+    let force = Order::Force(Side::Outputs, 1, Some(true));
     let (wire, ..) = watched(Board::default(), 2, Some(10), &[force]);
     let written = wire
         .sent
@@ -178,7 +182,7 @@ fn a_board_without_an_end_of_forcing_is_forced_all_the_same() {
         is_of_version_1: true,
         ..Board::default()
     };
-    let force = Wish::Force(Side::Inputs, 0, Some(true));
+    let force = Order::Force(Side::Inputs, 0, Some(true));
     let (wire, watcher, _) = watched(old, 2, Some(10), &[force]);
     let last = watcher.readings.borrow().last().unwrap().forced();
     assert_eq!((last.ends, last.inputs.get(0)), (None, Some(true)));
@@ -187,16 +191,69 @@ fn a_board_without_an_end_of_forcing_is_forced_all_the_same() {
 
 #[test]
 fn a_wish_that_is_refused_is_told_with_how_the_board_stands() {
-    let run = Wish::Command(Command::Run);
+    let run = Order::Command(Command::Run);
     let switched = Board {
         switch: true,
         ..Board::in_state(STOP)
     };
     let (_, watcher, _) = watched(switched, 2, None, &[run]);
-    let refused = watcher.refused.borrow();
-    let [(wish, exception, board)] = &refused[..] else {
-        panic!("{refused:?}");
-    };
-    assert_eq!((*wish, *exception), (run, Exception::ServerDeviceFailure));
-    assert!(board.is_switched_off());
+    assert_eq!(watcher.undone.take(), [Undone::Refused(Refusal::Switch)]);
+}
+
+#[test]
+fn all_that_happens_to_a_board_is_heard_in_its_order() {
+    let program = crate::upload::FOLLOW;
+    let upload = crate::upload::program(program, |of| Upload::of(of, program.as_bytes()));
+    let orders = [Order::Settings, Order::Upload(Box::new(upload))];
+    let watcher = watcher(3, None, &orders);
+    let mut wire = wire(Board::default(), &watcher);
+    wire.talk(async |client: &mut Client| talk(client, &watcher, false).await);
+    let heard = [
+        "found",
+        "settings",
+        "Plainly",
+        "stopped from Run",
+        "stored",
+        "Uploaded(Run)",
+        "lost",
+    ];
+    assert_eq!(watcher.heard.take()[..heard.len()], heard);
+}
+
+#[test]
+fn a_firmware_is_written_without_a_board_that_answers() {
+    const HEX: &[u8] = include_bytes!("../../../boot/tests/stall.hex");
+    let image = Image::read(HEX, Model::Nano).unwrap();
+    let watcher = watcher(1, None, &[]);
+    watcher
+        .ordered
+        .borrow_mut()
+        .push_back(Order::Flash(Box::new(image)));
+    let desk = &watcher;
+    let talk = async move |client: &mut Client| talk(client, desk, true).await;
+    let line = Line::default();
+    let mut conversation = Conversation::new(line, PATIENCE, talk);
+    let (mut now, mut resets) = (Duration::ZERO, 0);
+    // No boot loader answers either.
+    while watcher.undone.borrow().is_empty() {
+        let step = conversation.step(now, &[]);
+        let format = match step.send.is_empty() && !step.reset {
+            true => step.format,
+            false => Format {
+                rate: Model::Nano.rate(),
+                parity: Parity::None,
+            },
+        };
+        assert_eq!(step.format, format);
+        resets += u32::from(step.reset);
+        let Next::Wait(until) = step.next else {
+            panic!()
+        };
+        now = until;
+    }
+    let undone = watcher.undone.take();
+    assert!(matches!(undone[..], [Undone::NotFlashed(_)]), "{undone:?}");
+    assert!(resets > 1);
+    // It is sought again as it is spoken to usually.
+    assert_eq!(conversation.step(now, &[]).format, line.format());
 }

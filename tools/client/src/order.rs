@@ -1,0 +1,248 @@
+//! What may be ordered of a board, and what comes of it.
+
+use crate::client::{Client, Failure};
+use crate::diagnostics::Diagnostics;
+use crate::flash::flash;
+use crate::map::{Command, State, flag};
+use crate::point;
+use crate::session::{Away, Event};
+use crate::settings::{Settings, Settled, Unsettled, settle};
+use crate::upload::{Behind, Broken, Upload};
+use crate::watch::{Side, command, force, release};
+use unoclp_boot::{Image, Writer};
+use unoclp_modbus::Exception;
+use unoclp_point::Address;
+
+/// What may be ordered of a board.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// One of the commands.
+    Command(Command),
+    /// Force the point with this index, from 0, or let it go.
+    Force(Side, u8, Option<bool>),
+    /// Let all points go.
+    Release,
+    /// Set an output, a marker, a register or a preset once.
+    Set(Address, i32),
+    /// Put a program on it.
+    Upload(Box<Upload>),
+    /// Tell its settings.
+    Settings,
+    /// Keep these settings: the lock holds at once, all else from the next start on.
+    Settle(Settings),
+    /// Write a firmware by its boot loader. It is sought again then.
+    Flash(Box<Image>),
+}
+
+/// What has come of an order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Done {
+    /// What was ordered, and no more.
+    Plainly,
+    /// A program is on it.
+    Uploaded(Behind),
+    /// It keeps settings.
+    Settled(Settled),
+    /// A firmware is on it, and begins.
+    Flashed,
+}
+
+/// Why an order is not done.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Undone {
+    /// There is no board.
+    Away(Away),
+    /// The board is lost by it.
+    Lost(Failure),
+    /// The board refuses it.
+    Refused(Refusal),
+    /// No client may write this point.
+    NoPoint(Address),
+    /// The board does not leave RUN, as has to be.
+    NotStopped(Failure),
+    /// No program was uploaded.
+    Broken(Broken),
+    /// The program is stored, but the board does not begin it.
+    NotStarted(Failure),
+    /// The settings are as they were.
+    Unsettled(Unsettled),
+    /// The firmware is not on it.
+    NotFlashed(unoclp_boot::Failure),
+}
+
+/// What stands in the way of an order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// The board is in FAULT.
+    InFault,
+    /// A5 holds it in STOP.
+    Switch,
+    /// An upload is under way.
+    InUpload,
+    /// It is not in STOP, as a single scan needs.
+    NotInStop,
+    /// Commands are locked.
+    CommandsLocked,
+    /// Writing and forcing are locked.
+    WritingLocked,
+    /// Anything else.
+    Other(Exception),
+}
+
+/// What an order may have changed of a reading.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Change {
+    /// Points: what is forced, or a preset.
+    Points,
+    /// Anything.
+    All,
+}
+
+impl Order {
+    pub(crate) fn change(&self) -> Change {
+        match self {
+            Order::Force(..) | Order::Release | Order::Set(..) => Change::Points,
+            _ => Change::All,
+        }
+    }
+
+    /// Does it, and tells what there is to say meanwhile. What it forces ends at the board after so many seconds without a
+    /// request, 1 to 254, where its firmware has an end of forcing.
+    ///
+    /// # Errors
+    /// [`Undone`].
+    pub async fn fulfil(
+        &self,
+        client: &mut Client,
+        ends: Option<u8>,
+        tell: &mut dyn FnMut(Event<'_>),
+    ) -> Result<Done, Undone> {
+        let plain = match self {
+            Order::Command(what) => command(client, *what).await,
+            Order::Force(side, index, to) => force(client, *side, *index, *to, ends).await,
+            Order::Release => release(client).await,
+            Order::Set(point, _) if !point::is_written(*point) => {
+                return Err(Undone::NoPoint(*point));
+            }
+            Order::Set(point, value) => point::set(client, *point, *value).await,
+            Order::Upload(upload) => return upload.put(client, tell).await.map(Done::Uploaded),
+            Order::Settings => {
+                tell(Event::Settings(Settings::read(client).await?));
+                Ok(())
+            }
+            Order::Settle(new) => {
+                let settled = settle(client, *new).await?;
+                tell(Event::Settings(*new));
+                return Ok(Done::Settled(settled));
+            }
+            Order::Flash(image) => {
+                let written = flash(client, &mut Writer::new(image), tell).await;
+                return written.map(|()| Done::Flashed).map_err(Undone::NotFlashed);
+            }
+        };
+        match plain {
+            Ok(()) => Ok(Done::Plainly),
+            Err(Failure::Refused(exception)) => {
+                let board = Diagnostics::read(client).await?;
+                Err(Undone::Refused(Refusal::of(self, exception, &board)))
+            }
+            Err(why) => Err(Undone::Lost(why)),
+        }
+    }
+}
+
+impl Undone {
+    /// By what the board is lost, where it is.
+    pub(crate) fn lost(&self) -> Option<Failure> {
+        match self {
+            Undone::Lost(why) | Undone::NotStopped(why) | Undone::NotStarted(why)
+                if !matches!(why, Failure::Refused(_)) =>
+            {
+                Some(why.clone())
+            }
+            _ => None,
+        }
+    }
+}
+
+impl From<Failure> for Undone {
+    fn from(why: Failure) -> Undone {
+        match why {
+            Failure::Refused(exception) => Undone::Refused(Refusal::Other(exception)),
+            why => Undone::Lost(why),
+        }
+    }
+}
+
+impl From<Broken> for Undone {
+    fn from(why: Broken) -> Undone {
+        Undone::Broken(why)
+    }
+}
+
+impl From<Unsettled> for Undone {
+    fn from(why: Unsettled) -> Undone {
+        Undone::Unsettled(why)
+    }
+}
+
+impl Refusal {
+    /// Why a board refuses an order by this exception, as it stands.
+    fn of(order: &Order, exception: Exception, board: &Diagnostics) -> Refusal {
+        match exception {
+            Exception::IllegalFunction => match order {
+                Order::Command(_) => Refusal::CommandsLocked,
+                _ => Refusal::WritingLocked,
+            },
+            Exception::ServerDeviceFailure if board.state == Some(State::Fault) => Refusal::InFault,
+            Exception::ServerDeviceFailure if board.has(flag::STOP_SWITCH) => Refusal::Switch,
+            Exception::ServerDeviceFailure if board.has(flag::UPLOAD) => Refusal::InUpload,
+            Exception::ServerDeviceFailure if *order == Order::Command(Command::SingleScan) => {
+                Refusal::NotInStop
+            }
+            other => Refusal::Other(other),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refusal_tells_what_stands_in_its_way() {
+        let board = |state, flags| Diagnostics {
+            state: Some(state),
+            flags,
+            ..Diagnostics::default()
+        };
+        let now = Exception::ServerDeviceFailure;
+        for (command, board, refusal) in [
+            (Command::Run, board(State::Fault, 0), Refusal::InFault),
+            (
+                Command::Run,
+                board(State::Stop, flag::STOP_SWITCH),
+                Refusal::Switch,
+            ),
+            (
+                Command::SingleScan,
+                board(State::Stop, flag::UPLOAD),
+                Refusal::InUpload,
+            ),
+            (
+                Command::SingleScan,
+                board(State::Run, 0),
+                Refusal::NotInStop,
+            ),
+            (Command::Run, board(State::Stop, 0), Refusal::Other(now)),
+        ] {
+            assert_eq!(Refusal::of(&Order::Command(command), now, &board), refusal);
+        }
+        let locked = Exception::IllegalFunction;
+        let board = board(State::Run, 0);
+        let refused = |order: Order| Refusal::of(&order, locked, &board);
+        assert_eq!(refused(Order::Release), Refusal::WritingLocked);
+        let stop = Order::Command(Command::Stop);
+        assert_eq!(refused(stop), Refusal::CommandsLocked);
+    }
+}
