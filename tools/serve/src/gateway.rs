@@ -24,10 +24,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::Notify;
 use tokio::time::timeout;
-use unoclp_client::diagnostics::Kept;
+use unoclp_client::diagnostics::{Diagnostics, Kept};
+use unoclp_modbus::Exception;
 use unoclp_modbus::client::Request;
-use unoclp_modbus::map::{self, State, flag, form, input};
-use unoclp_modbus::{Exception, Table};
+use unoclp_modbus::map::{State, flag, input};
 
 /// Within this a visitor sends the head of its request and the token, and takes a part of what is sent: a slower one is
 /// dropped.
@@ -279,43 +279,27 @@ async fn answer(
 
 /// Which program the board keeps. What it does is told too, and noted.
 pub(crate) async fn kept_by(gateway: &Gateway) -> Result<Kept, Exception> {
-    let (first, last) = (input::STATE.first, input::PROGRAM_SUM.first);
-    let count = last - first + 1;
-    let address = gateway.line.address();
-    let request = Request::read(address, Table::InputRegisters, first, count);
+    let (table, first, count) = Diagnostics::asked(input::PROGRAM_SUM);
+    let request = Request::read(gateway.line.address(), table, first, count);
     let reply = gateway.line.ask(request.clone(), Role::Control).await;
     let Some(Ok(reply)) = request.answer(&reply) else {
         return Err(Exception::GatewayTargetSilent);
     };
     let words: Vec<u16> = reply.words().collect();
-    let word = |address: u16| words.get(usize::from(address - first)).copied();
-    let flags = input::FLAGS.first;
-    *gateway.condition() = condition(&words);
-    match [flags, input::PROGRAM_BYTES.first, last].map(word) {
-        [Some(flags), Some(bytes), Some(sum)] => Ok(Kept {
-            version: form::version(flags),
-            bytes,
-            sum,
-        }),
-        _ => Err(Exception::GatewayTargetSilent),
-    }
+    let told = Diagnostics::of(&words);
+    *gateway.condition() = condition(&told);
+    Ok(told.program)
 }
 
-/// What a board does, by the words that begin with its state; none of a state that is not known.
-fn condition(words: &[u16]) -> Option<Condition> {
-    let first = input::STATE.first;
-    let word = |address: u16| words.get(usize::from(address - first)).copied();
-    let state = State::of(word(first)?)?;
-    let line = input::LINE.first;
-    let is_fault = state == State::Fault;
-    let line = map::long(word(line)?, word(line + 1)?);
+/// What a board does; none of a state that is not known.
+fn condition(board: &Diagnostics) -> Option<Condition> {
+    let state = board.state?;
+    let trouble = board.trouble.filter(|_| state == State::Fault);
     Some(Condition {
         state,
-        fault: word(input::FAULT.first)
-            .filter(|_| is_fault)
-            .unwrap_or_default(),
-        line: if is_fault { line } else { 0 },
-        is_forced: word(input::FLAGS.first)? & flag::FORCED != 0,
+        fault: trouble.map_or(0, |trouble| trouble.number),
+        line: trouble.and_then(|trouble| trouble.line).unwrap_or(0),
+        is_forced: board.has(flag::FORCED),
     })
 }
 

@@ -7,10 +7,11 @@ use crate::owner::{Board, NoAnswer};
 use std::io::{self, BufReader, ErrorKind, Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};
 use std::time::Duration;
+use unoclp_client::Failure;
 use unoclp_client::identity::Identity;
-use unoclp_modbus::client::{NoReply, Reply, Request};
-use unoclp_modbus::map::VENDOR;
-use unoclp_modbus::{Exception, client::Texts};
+use unoclp_client::start::{NotFound, judged};
+use unoclp_modbus::Exception;
+use unoclp_modbus::client::{NoReply, Request};
 
 /// How long a connection or an answer is waited for,
 const ANSWER: Duration = Duration::from_secs(2);
@@ -61,16 +62,17 @@ impl Remote {
             }
             Err(error) => return Err(Absent::Unreached(error)),
         };
-        match request.answer(&reply) {
-            Some(Ok(reply)) => match identity(reply) {
-                Some(found) if found.vendor == VENDOR => Ok(()),
-                other => Err(Absent::Foreign(other)),
-            },
-            Some(Err(NoReply::Refused(exception))) if !is_silence(exception) => {
-                Err(Absent::Foreign(None))
-            }
-            _ => Err(Absent::Silent(address)),
-        }
+        let identity = match request.answer(&reply) {
+            Some(Ok(reply)) => Identity::of(reply.texts()).ok_or(Failure::Garbled),
+            Some(Err(NoReply::Refused(exception))) if is_silence(exception) => Err(Failure::Silent),
+            Some(Err(NoReply::Refused(exception))) => Err(Failure::Refused(exception)),
+            Some(Err(NoReply::Garbled)) | None => Err(Failure::Silent),
+        };
+        judged(identity).map(drop).map_err(|why| match why {
+            NotFound::Silent => Absent::Silent(address),
+            NotFound::Foreign(foreign) => Absent::Foreign(foreign),
+            NotFound::Garbled | NotFound::Failed(_) => Absent::Foreign(None),
+        })
     }
 
     fn connect(&mut self) -> io::Result<&mut BufReader<TcpStream>> {
@@ -167,17 +169,4 @@ fn is_silence(exception: Exception) -> bool {
         exception,
         Exception::GatewayTargetSilent | Exception::GatewayPathUnavailable
     )
-}
-
-fn identity(reply: Reply<'_>) -> Option<Identity> {
-    let text = |texts: &mut Texts<'_>| {
-        let text = texts.next()?;
-        Some(String::from_utf8_lossy(text).into_owned())
-    };
-    let mut texts = reply.texts();
-    Some(Identity {
-        vendor: text(&mut texts)?,
-        product: text(&mut texts)?,
-        version: text(&mut texts)?,
-    })
 }
