@@ -1,4 +1,5 @@
-//! A teacher's folder: its exercises and machines stand in the page before those that it has anyway.
+//! A teacher's folder: its exercises and machines stand in the page before those that it has anyway. A file is read and checked
+//! again only where it has changed.
 //!
 //! Owns which files of the folder are what, and the form in which the page takes them. Must not know who serves them.
 
@@ -9,6 +10,8 @@ use serde_json::Value;
 use std::borrow::Cow;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::SystemTime;
 use unoclp_core::Board;
 use unoclp_exercise::scenario::Exercise;
 use unoclp_plant::{Plant, Text};
@@ -25,15 +28,24 @@ pub struct Own {
     folder: PathBuf,
     /// What its programs are for, where a machine names no other.
     board: Board,
+    /// What was found in it last.
+    kept: Arc<Mutex<Arc<Found>>>,
 }
 
-/// What stands in it.
+/// What stands in it, as far as its files are the same.
 #[derive(Debug, Default)]
 struct Found {
+    /// The files that say exercises and machines.
+    files: Vec<PathBuf>,
+    /// All files that were read, and how they were then.
+    read: Vec<(PathBuf, Option<Stamp>)>,
     exercises: Vec<Value>,
     machines: Vec<Value>,
     mistakes: Vec<String>,
 }
+
+/// By what a file is known to be the same: its size and the time of its last change.
+type Stamp = (u64, SystemTime);
 
 #[derive(Serialize)]
 struct Named<'a> {
@@ -87,6 +99,7 @@ impl Own {
         let own = Own {
             folder: folder.to_owned(),
             board,
+            kept: Arc::default(),
         };
         let found = own.found();
         for mistake in &found.mistakes {
@@ -100,8 +113,8 @@ impl Own {
     /// A file of the page with what is this folder's in it, as it is now.
     pub fn among(&self, path: &str, file: Cow<'static, [u8]>) -> Cow<'static, [u8]> {
         let own = match path {
-            "exercises.json" => self.found().exercises,
-            "machines.json" => self.found().machines,
+            "exercises.json" => self.found().exercises.clone(),
+            "machines.json" => self.found().machines.clone(),
             _ => return file,
         };
         let Ok(others) = serde_json::from_slice::<Vec<Value>>(&file) else {
@@ -111,8 +124,18 @@ impl Own {
         serde_json::to_vec(&all).map_or(file, Cow::Owned)
     }
 
-    fn found(&self) -> Found {
-        let mut found = Found::default();
+    /// What stands in it now: read and checked again where a file has changed.
+    fn found(&self) -> Arc<Found> {
+        let files = self.files();
+        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if kept.files != files || !kept.is_same() {
+            *kept = Arc::new(self.read(files));
+        }
+        kept.clone()
+    }
+
+    /// The files that say exercises and machines.
+    fn files(&self) -> Vec<PathBuf> {
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
         let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
         files.retain(|file| {
@@ -121,18 +144,35 @@ impl Own {
         });
         files.sort();
         files.truncate(MOST);
-        for file in files {
-            match text(&file) {
-                Ok(text) if is_machine(&text) => found.machine(&file, &text, self.board),
-                Ok(text) => found.exercise(self, &file, &text),
+        files
+    }
+
+    fn read(&self, files: Vec<PathBuf>) -> Found {
+        let mut found = Found::default();
+        for file in &files {
+            match found.text(file) {
+                Ok(text) if is_machine(&text) => found.machine(file, &text, self.board),
+                Ok(text) => found.exercise(self, file, &text),
                 Err(why) => found.mistakes.push(why),
             }
         }
+        found.files = files;
         found
     }
 }
 
 impl Found {
+    /// Whether all files are as they were read.
+    fn is_same(&self) -> bool {
+        self.read.iter().all(|(file, was)| stamp(file) == *was)
+    }
+
+    /// The text of a file, or why there is none.
+    fn text(&mut self, file: &Path) -> Result<String, String> {
+        self.read.push((file.to_owned(), stamp(file)));
+        text(file)
+    }
+
     fn machine(&mut self, file: &Path, text: &str, board: Board) {
         match plant(file, text, board) {
             Ok(plant) => self.machines.extend(serde_json::to_value(OwnMachine {
@@ -146,14 +186,14 @@ impl Found {
         }
     }
 
-    fn exercise(&mut self, Own { folder, board }: &Own, file: &Path, scenario: &str) {
+    fn exercise(&mut self, Own { folder, board, .. }: &Own, file: &Path, scenario: &str) {
         let exercise = match Exercise::of_text(&shown(file), scenario, *board) {
             Ok(exercise) => exercise,
             Err(error) => return self.mistakes.push(error.text(messages::spoken())),
         };
-        let beside = |path: &PathBuf| {
+        let mut beside = |path: &PathBuf| {
             let path = folder.join(path);
-            text(&path).map(|text| (name(&path), text))
+            self.text(&path).map(|text| (name(&path), text))
         };
         let machine = exercise.plant.as_ref().map(|path| {
             let (name, text) = beside(path)?;
@@ -165,7 +205,7 @@ impl Found {
             .program
             .as_ref()
             .filter(|_| exercise.find.is_some());
-        let (machine, program) = match (machine.transpose(), program.map(beside).transpose()) {
+        let (machine, program) = match (machine.transpose(), program.map(&mut beside).transpose()) {
             (Ok(machine), Ok(program)) => (machine, program),
             (Err(why), _) | (_, Err(why)) => return self.mistakes.push(why),
         };
@@ -180,6 +220,12 @@ impl Found {
             is_own: true,
         }));
     }
+}
+
+/// How a file is now; none where there is none.
+fn stamp(file: &Path) -> Option<Stamp> {
+    let about = fs::metadata(file).ok()?;
+    Some((about.len(), about.modified().ok()?))
 }
 
 /// Whether a text says parts of a machine.

@@ -798,6 +798,16 @@ fn a_teachers_folder_stands_in_the_page() {
     let machines = http(&server.address, "/machines.json");
     assert!(machines.contains("\"isOwn\":true"));
     assert!(machines.find("motor.toml") < machines.find("batch.toml"));
+
+    // Files that have not changed are not read again; those that have are, with what stands beside them.
+    assert!(http(&server.address, "/exercises.json").contains("The bell"));
+    put("bell.toml", &bell.replace("The bell", "Both bells"));
+    put("01-motor.il", "LD I1\nST Q1\n");
+    let changed = http(&server.address, "/exercises.json");
+    assert!(changed.contains("Both bells") && !changed.contains("The bell"));
+    assert!(changed.contains("LD I1\\nST Q1"));
+    std::fs::remove_file(format!("{folder}/bell.toml")).unwrap();
+    assert!(!http(&server.address, "/exercises.json").contains("own/bell"));
     put("bell.toml", &bell.replace("The bell", "Two bells"));
     assert!(http(&server.address, "/exercises.json").contains("Two bells"));
     assert!(http(&server.address, "/index.html").contains("<title>"));
