@@ -65,17 +65,14 @@ impl Workspace {
         form: WriteAs,
         board: Board,
     ) -> Result<Version, Vec<Mistake>> {
-        let written = |text: String| Written::new(name.to_owned(), text.into_bytes(), board);
-        if emitted.codes().is_ok() {
-            let version = self.set_text(written(drawn::written(emitted, form)));
-            let source = self.analysis(version);
-            let source = source.as_ref().and_then(|analysis| analysis.source());
-            if source.is_some_and(|source| drawn::says(source, emitted)) {
-                return Ok(version);
-            }
-        }
-        let text = drawn::rewritten(emitted, form, board)?;
-        Ok(self.set_text(written(text)))
+        let written = |text: &str| Written::new(name.to_owned(), text.into(), board);
+        let text = drawn::text_of(emitted, form, board, |text| {
+            let version = self.set_text(written(text));
+            let analysis = self.analysis(version);
+            let source = analysis.as_ref().and_then(|analysis| analysis.source());
+            source.is_some_and(|source| drawn::says(source, emitted))
+        })?;
+        Ok(self.set_text(written(&text)))
     }
 
     /// What is known of a version; none where so many were set since that it is forgotten.

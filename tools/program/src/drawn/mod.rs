@@ -78,33 +78,31 @@ fn with_declared(document: Document, points: Vec<DeclaredPoint>) -> Document {
 /// What is wrong in it, where a board takes no such program.
 pub fn text(document: &Document, form: WriteAs, board: Board) -> Result<String, Vec<Mistake>> {
     let emitted = Emitted::of(document);
-    let text = written(&emitted, form);
-    let name = String::new();
-    let open = Written::new(name, text.clone().into_bytes(), board).or_in(Some(form.into()));
-    match open.check(None) {
-        Ok(source) if says(&source, &emitted) => Ok(text),
-        _ => rewritten(&emitted, form, board),
-    }
+    let opened =
+        |text: &str| Written::new(String::new(), text.into(), board).or_in(Some(form.into()));
+    text_of(&emitted, form, board, |text| {
+        let source = opened(text).check(None);
+        source.is_ok_and(|source| says(&source, &emitted))
+    })
 }
 
-/// The text of a document, which nobody has compiled yet: where it does not come to the same codes, it is
-/// [written again](rewritten).
-pub fn written(emitted: &Emitted<'_>, form: WriteAs) -> String {
-    match form {
-        WriteAs::Numeric => numeric::text(emitted),
-        WriteAs::Il => il::text(emitted),
-    }
-}
-
-/// The text of a document, compiled until it comes to its codes; what would make it something else stays out.
+/// The same, where somebody else knows whether a text comes to the codes of the document. Only where it does not, it is
+/// compiled again and again until it does; what would make it something else stays out.
 ///
 /// # Errors
 /// All that is wrong in the document, where a board takes no such program.
-pub fn rewritten(
+pub fn text_of(
     emitted: &Emitted<'_>,
     form: WriteAs,
     board: Board,
+    comes_to: impl FnOnce(&str) -> bool,
 ) -> Result<String, Vec<Mistake>> {
+    if emitted.codes().is_ok() {
+        let text = written(emitted, form);
+        if comes_to(&text) {
+            return Ok(text);
+        }
+    }
     let mistakes = emitted.check(board);
     if mistakes.iter().any(|mistake| mistake.what.is_error()) {
         return Err(mistakes);
@@ -113,6 +111,14 @@ pub fn rewritten(
         WriteAs::Numeric => numeric::text(emitted),
         WriteAs::Il => il::compiled(emitted, board),
     })
+}
+
+/// The text of a document, which nobody has compiled: it may not come to its codes.
+pub fn written(emitted: &Emitted<'_>, form: WriteAs) -> String {
+    match form {
+        WriteAs::Numeric => numeric::text(emitted),
+        WriteAs::Il => il::text(emitted),
+    }
 }
 
 /// Whether a program has the codes of a document.
