@@ -16,13 +16,17 @@ use unoclp_program::{Written, point_names, used};
 
 /// Runs a program; none where it has faults or a scan jumps back too often, which has been told.
 pub(super) fn run(arguments: &What, written: Written) -> anyhow::Result<Option<Ran>> {
-    let again = written.clone();
     let check = |written| check_written(written, &arguments.wording, arguments.shown());
     let Some(source) = check(written)? else {
         return Ok(None);
     };
     let names = point_names(&source);
-    let mut machine = Machine::new(source.checked);
+    // What runs leaves its text behind.
+    let copy = source
+        .checked
+        .copy()
+        .map_err(|fault| anyhow!(messages::fault(fault.cause)))?;
+    let mut machine = Machine::new(copy);
     let points = points(&machine, &source.size.used, &names);
     let mut inputs = Inputs::default();
     for (name, written) in arguments.settings()? {
@@ -41,10 +45,7 @@ pub(super) fn run(arguments: &What, written: Written) -> anyhow::Result<Option<R
         let now = arguments.time(scan) as Millis;
         let mut steps = 0;
         if let Err(fault) = machine.scan_observed(inputs, now, |_, _| steps += 1) {
-            // The program that runs has no text any more.
-            if let Ok(source) = again.check(arguments.wording.dialect) {
-                eprintln!("{}", running(&source, fault));
-            }
+            eprintln!("{}", running(&source, fault));
             return Ok(None);
         }
         work.scanned(steps)?;
