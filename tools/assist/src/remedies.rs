@@ -115,7 +115,7 @@ fn declared(written: &Written, text: &str, about: &Diagnostic, lang: Lang) -> Ve
     };
     let reader = Reader::new(text, language);
     let unit = reader.outline.unit_at(about.span.start);
-    let own = reader.outline.named.iter().filter(|named| {
+    let mut own = reader.outline.named.iter().filter(|named| {
         let is_var = named
             .section
             .is_some_and(|own| reader.written(own).eq_ignore_ascii_case("VAR"));
@@ -123,7 +123,7 @@ fn declared(written: &Written, text: &str, about: &Diagnostic, lang: Lang) -> Ve
             && named.within == unit
             && (is_var || language.name() == "iscl")
     });
-    let Some(last) = own.last() else {
+    let Some(last) = own.next_back() else {
         return Vec::new();
     };
     // After the line on which the last one stands.

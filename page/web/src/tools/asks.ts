@@ -1,7 +1,7 @@
 // What may be asked of Rust, and what it answers. Made of page/bridge/src/ask/table.rs: do not edit it; the test of
 // page/bridge/src/ask/contract.rs writes it where UPDATE=1 is set.
 
-import type { Act, Adapted, As, BoardFacts, CardImage, Checked, Drawn, Fared, FlashStep, LadderDrawn, MachineFacts, MachineLook, Order, Outcome, Replayed, Searched, Sheet, Shelf, Speak, Step, Text } from "./answers";
+import type { Act, Adapted, As, BoardFacts, CardImage, Change, Checked, Drawn, Fared, FlashStep, LadderDrawn, MachineFacts, MachineLook, Meant, Mended, Offers, Order, Outcome, Replayed, Searched, Sheet, Shelf, Speak, Step, Text, UsedAt } from "./answers";
 
 export interface Asks {
   /** What a board has: each limit of its points and its memory, so that a page needs to know none. */
@@ -78,4 +78,16 @@ export interface Asks {
   drawn: { ask: { readonly as: string }; answer: string };
   /** What of it has these words in it. */
   find: { ask: { readonly words: string }; answer: readonly number[] };
+  /** What may stand at a place of a text, in units of UTF-16 from its beginning. */
+  complete: { ask: { readonly version: number; readonly at: number; readonly speak?: Speak | undefined }; answer: Offers };
+  /** What stands there; null where nothing is known of it. */
+  meant: { ask: { readonly version: number; readonly at: number; readonly speak?: Speak | undefined }; answer: Meant | null };
+  /** Where that is used, its declaration among them. */
+  uses: { ask: { readonly version: number; readonly at: number }; answer: readonly UsedAt[] };
+  /** What gives the name there another. */
+  rename: { ask: { readonly version: number; readonly at: number; readonly to: string }; answer: readonly Change[] };
+  /** What places the words of a text well. */
+  form: { ask: { readonly version: number }; answer: readonly Change[] };
+  /** What can be done about the mistakes between two places. */
+  remedies: { ask: { readonly version: number; readonly from: number; readonly to: number; readonly speak?: Speak | undefined }; answer: readonly Mended[] };
 }
