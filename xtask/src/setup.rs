@@ -204,7 +204,8 @@ pub fn for_lab() -> Result<Toolchain> {
 fn provide_python() -> Result<()> {
     let folder = shell::root().join("target/python");
     let python = folder.join("bin/python3");
-    if output(Command::new(&python).args(["-c", "import pygls, pymodbus, serial, pysparkplug"])).is_some()
+    if output(Command::new(&python).args(["-c", "import pygls, pymodbus, serial, pysparkplug"]))
+        .is_some()
     {
         return Ok(());
     }

@@ -17,6 +17,7 @@ import {
 } from "@codemirror/view";
 import type { Checked, Live } from "../tools/answers";
 import { say, speak, told } from "../words/words";
+import type { Around } from "./assist";
 import { colours, paint } from "./colours";
 
 type Lines = Live["lines"];
@@ -85,7 +86,7 @@ export class Editor {
   /** The problems of a text. */
   private found: { doc: Text; problems: Diagnostic[] } = { doc: Text.empty, problems: [] };
 
-  constructor(parent: HTMLElement, text: string, edited: Edited) {
+  constructor(private readonly parent: HTMLElement, text: string, edited: Edited) {
     this.view = new EditorView({
       parent,
       state: EditorState.create({
@@ -121,12 +122,12 @@ export class Editor {
   }
 
   /** Loads what nobody needs for the first line. Without it one still writes. */
-  furnish(): void {
+  furnish(around: Around): void {
     import("./comforts").then(
       (comfort) => {
         this.comfort = comfort;
         speak.follow((language) => {
-          this.view.dispatch({ effects: this.comforts.reconfigure(comfort.comforts(language)) });
+          this.view.dispatch({ effects: this.comforts.reconfigure(comfort.comforts(language, around, this.parent)) });
           this.underline();
         });
       },
