@@ -6,7 +6,7 @@ import { EditorView, hoverTooltip, keymap, type Tooltip } from "@codemirror/view
 import type { Change, Meant, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { ASSIST } from "../words/assisttable";
-import { sayFrom, speak } from "../words/words";
+import { sayFrom, speak, translate } from "../words/words";
 import { asked } from "./asked";
 import { h } from "./dom";
 import { entry, menu, openAt, type At } from "./menu";
@@ -26,7 +26,7 @@ export interface Around {
 /** What the menu shows when it opens next. */
 let shown: (() => HTMLElement[]) | null = null;
 
-/** All of it, for an editor; `root`: where its menu stands. */
+/** All of it, for an editor; `root`: the bar in which its menu stands. */
 export function assist(around: Around, root: HTMLElement): Extension {
   const of = (view: EditorView): { of: Text } => ({ of: around.of(view.state.doc.toString()) });
   const at = (view: EditorView): number => view.state.selection.main.head;
@@ -96,10 +96,14 @@ export function assist(around: Around, root: HTMLElement): Extension {
     ["assist-remedies", "remedies", "Ctrl-.", remedies],
   ];
   let writing: EditorView | null = null;
+  // The menu closes first: an act may open it again.
+  const later = (act: (view: EditorView) => void): void => void setTimeout(() => writing && act(writing));
   const own = menu("textMenu", null, () =>
-    shown?.() ?? commands.map(([id, key, press, act]) => entry(say(key), () => writing && act(writing), press, id)));
+    shown?.() ?? commands.map(([id, key, press, act]) => entry(say(key), () => later(act), press, id)));
   root.querySelector(".text-menu")?.remove();
-  root.append(h("div", { class: "text-menu" }, own));
+  const bar = h("div", { class: "text-menu" }, own);
+  translate(bar);
+  root.querySelector(".grow")?.before(bar);
 
   return [
     autocompletion({ override: [(context) => complete(around, context)], selectOnOpen: false, maxRenderedOptions: 60 }),

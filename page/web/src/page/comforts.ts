@@ -12,7 +12,7 @@ import { type Around, assist } from "./assist";
 
 export { setDiagnostics } from "@codemirror/lint";
 
-/** All of it, in the language that is spoken; `root`: where the menu of the editor stands. */
+/** All of it, in the language that is spoken; `root`: the bar in which the menu of the editor stands. */
 export const comforts = (language: Speak, around: Around, root: HTMLElement): Extension => [
   EditorState.phrases.of(phrases(language)),
   bracketMatching(),

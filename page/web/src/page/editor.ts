@@ -86,7 +86,7 @@ export class Editor {
   /** The problems of a text. */
   private found: { doc: Text; problems: Diagnostic[] } = { doc: Text.empty, problems: [] };
 
-  constructor(private readonly parent: HTMLElement, text: string, edited: Edited) {
+  constructor(parent: HTMLElement, text: string, edited: Edited) {
     this.view = new EditorView({
       parent,
       state: EditorState.create({
@@ -121,13 +121,13 @@ export class Editor {
     });
   }
 
-  /** Loads what nobody needs for the first line. Without it one still writes. */
-  furnish(around: Around): void {
+  /** Loads what nobody needs for the first line, with its menu in this bar. Without it one still writes. */
+  furnish(around: Around, bar: HTMLElement): void {
     import("./comforts").then(
       (comfort) => {
         this.comfort = comfort;
         speak.follow((language) => {
-          this.view.dispatch({ effects: this.comforts.reconfigure(comfort.comforts(language, around, this.parent)) });
+          this.view.dispatch({ effects: this.comforts.reconfigure(comfort.comforts(language, around, bar)) });
           this.underline();
         });
       },

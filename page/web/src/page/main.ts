@@ -200,7 +200,7 @@ async function load(): Promise<void> {
       tools: remote,
       of: (text) => ({ ...program.text.value, text }),
       value: (name) => view.value(name),
-    });
+    }, byId("program-bar"));
     if (isFirst) void begin(bench, () => program.text.value === first, start.run);
   });
   if (!isSingle && "serviceWorker" in navigator && location.protocol.startsWith("http")) {
