@@ -15,7 +15,7 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use crate::notice::Parts;
 use crate::shell::{self, cargo, root, say};
-use crate::{deb, lab, node, sbom};
+use crate::{deb, lab, node, sbom, vsix};
 
 /// Where all of it lies.
 const FOLDER: &str = "target/dist";
@@ -85,6 +85,9 @@ pub fn run() -> Result<()> {
         }
         false => say("no Debian package: dpkg-deb makes it, and is not here"),
     }
+    let extension = folder.join("unoclp.vsix");
+    fs::copy(vsix::make()?, &extension).context("cannot copy the extension")?;
+    made.push(extension);
     let name = format!("unoclp-{OS}-{ARCH}");
     let about = sbom::write(&parts, &made, &name, &folder)?;
     made.extend(about);

@@ -34,4 +34,5 @@ pub mod test;
 pub mod tested;
 pub mod toolchain;
 pub mod toolset;
+pub mod vsix;
 pub mod wasm;

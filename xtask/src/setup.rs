@@ -147,7 +147,12 @@ const BROWSER: &[Need] = &[
 ];
 
 /// What Python brings, for a folder of its own: the clients of Modbus and of Sparkplug B that are not of Debian.
-const PYTHON: [&str; 3] = ["pymodbus==3.16.1", "pyserial==3.5", "pysparkplug==0.6.1"];
+const PYTHON: [&str; 4] = [
+    "pygls==2.0.0",
+    "pymodbus==3.16.1",
+    "pyserial==3.5",
+    "pysparkplug==0.6.1",
+];
 
 /// Sees to it that the firmware can be built.
 ///
@@ -199,11 +204,12 @@ pub fn for_lab() -> Result<Toolchain> {
 fn provide_python() -> Result<()> {
     let folder = shell::root().join("target/python");
     let python = folder.join("bin/python3");
-    if output(Command::new(&python).args(["-c", "import pymodbus, serial, pysparkplug"])).is_some()
+    if output(Command::new(&python).args(["-c", "import pygls, pymodbus, serial, pysparkplug"]))
+        .is_some()
     {
         return Ok(());
     }
-    say("setup: installing pymodbus and pysparkplug in target/python");
+    say("setup: installing pygls, pymodbus and pysparkplug in target/python");
     shell::run(Command::new("python3").args(["-m", "venv"]).arg(&folder))?;
     let pip = ["-m", "pip", "--quiet", "install"];
     shell::run(Command::new(&python).args(pip).args(PYTHON))

@@ -35,6 +35,7 @@ mod words;
 use unoclp_core::Board;
 use unoclp_text::colour::Colour;
 use unoclp_text::diagnostics::Found;
+use unoclp_text::outline::{Named, Outline, What};
 use unoclp_tree::{FrontEnd, Painted, Tree};
 use words::{Kind, words};
 
@@ -44,6 +45,8 @@ pub static WHEN: FrontEnd = FrontEnd {
     title: ["WHEN", "WHEN"],
     begins,
     colours,
+    outline,
+    vocabulary: || KEYWORDS.to_vec(),
     read: |text, options, found| tree(text, options.board, found).into(),
 };
 
@@ -71,6 +74,20 @@ fn colours(text: &str) -> Painted {
         .iter()
         .map(|word| (word.span, colour(word)))
         .collect()
+}
+
+/// Each name before an `is`.
+fn outline(text: &str) -> Outline {
+    let words = words(text);
+    let names = words.windows(2).filter(|pair| {
+        let [name, is] = pair else { return false };
+        name.kind == Kind::Name && is.of(text) == "is"
+    });
+    let name = |pair: &[words::Word]| Named::new(What::Variable, pair[0].span, None);
+    Outline {
+        named: names.map(name).collect(),
+        letters_apart: true,
+    }
 }
 
 fn tree(text: &str, board: Board, found: &mut Found) -> Option<Tree> {

@@ -6,7 +6,13 @@ use crate::lexer::{self, Kind, SECTIONS};
 use crate::operators;
 use unoclp_text::colour::{Colour, is_point};
 use unoclp_text::diagnostics::Found;
+use unoclp_text::outline::{self, Labels, Outline};
 use unoclp_tree::Painted;
+
+/// What a text declares, and where.
+pub fn outline(text: &str) -> Outline {
+    outline::norm(text, &colours(text), Labels::Are)
+}
 
 /// The words of a text, and what each is.
 pub fn colours(text: &str) -> Painted {

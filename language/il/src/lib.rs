@@ -27,6 +27,6 @@ pub mod words;
 mod written;
 
 pub use check::read;
-pub use colours::colours;
+pub use colours::{colours, outline};
 pub use declared::{Declared, DeclaredPoint, declared};
-pub use operators::is_operator;
+pub use operators::{is_operator, vocabulary};

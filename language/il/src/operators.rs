@@ -1,5 +1,6 @@
 //! The operators and their spellings: those of the norm, of its common extensions, and of the makers.
 
+use crate::lexer::SECTIONS;
 use crate::words::operator;
 use std::sync::LazyLock;
 use unoclp_core::isa::{Class, Kind, Opcode};
@@ -297,6 +298,17 @@ const SPELLINGS: &[&str] = &[
     "LDI", "ANI", "ORI", "OUT", "SET", "RST", "ALD", "OLD", "BLK", "OUT_BLK", "END_BLK", "SHL",
     "SHR", "NEG", "SQRT",
 ];
+
+/// The operators that one is offered, and the words that declare.
+pub fn vocabulary() -> Vec<&'static str> {
+    let own = OWN_WORDS.iter().map(|own| own.0);
+    let mut all: Vec<&str> = SPELLINGS.iter().copied().chain(own).collect();
+    all.extend(SECTIONS);
+    all.extend(["END_VAR", "AT", "RETAIN", "CODE"]);
+    all.sort_unstable();
+    all.dedup();
+    all
+}
 
 /// The spelling that is one slip of the hand away: a letter wrong, missing or too many.
 pub(crate) fn nearest(word: &str) -> Option<&'static str> {

@@ -92,7 +92,7 @@ impl Checker<'_, '_> {
         };
         let text = &name.text;
         let help = match near {
-            Some(near) => both(format!("is it `{near}`?"), format!("seria `{near}`?")),
+            Some(near) => Word::Near(near.to_string()),
             None => both(
                 format!("declare it after BLOCO: INT {text};"),
                 format!("declare-o depois de BLOCO: INT {text};"),

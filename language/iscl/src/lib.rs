@@ -11,20 +11,38 @@ mod ast;
 mod check;
 mod expression;
 mod operands;
+mod outline;
 mod parser;
 mod recovery;
 mod statement;
 mod words;
 
 use unoclp_core::Board;
+use unoclp_small::cursor::Keywords;
 use unoclp_text::colour::Colour;
 use unoclp_text::diagnostics::{Code, Found, Span};
+use unoclp_text::outline::Outline;
 use unoclp_tree::Tree;
 use words::{RULES, Word};
 
 /// The words of a text, and what each is.
 pub fn colours(text: &str) -> Vec<(Span, Option<Colour>)> {
     unoclp_small::colours::<Word>(text, &RULES)
+}
+
+/// What a text declares, and where.
+pub fn outline(text: &str) -> Outline {
+    outline::outline(text, &colours(text))
+}
+
+/// The keywords.
+pub fn vocabulary() -> Vec<&'static str> {
+    Word::WORDS.iter().map(|(word, _)| *word).collect()
+}
+
+/// Whether it begins like a name.
+fn is_name(word: &str) -> bool {
+    word.starts_with(|c: char| c.is_alphabetic() || c == '_')
 }
 
 /// The tree of a text; none where something is wrong, which is told.

@@ -6,7 +6,8 @@ use unoclp_codegen::CompiledText;
 use unoclp_core::Board;
 use unoclp_text::colour::{Colour, painted};
 use unoclp_text::diagnostics::{Found, Lang, Span, Told};
-use unoclp_tree::{FrontEnd, Options, Tree};
+use unoclp_text::outline::Outline;
+use unoclp_tree::{FrontEnd, Options, Painted, Tree};
 
 /// A language: a row of the registry, compared by its name.
 #[derive(Clone, Copy)]
@@ -36,6 +37,8 @@ impl TextLanguage {
         title: ["Structured Text", "Texto Estruturado"],
         begins: weighed,
         colours: |text| unoclp_st::colours(text, unoclp_st::Dialect::Iec),
+        outline: |text| unoclp_st::outline(text, unoclp_st::Dialect::Iec),
+        vocabulary: unoclp_st::vocabulary,
         read: |text, options, found| {
             unoclp_st::check(text, unoclp_st::Dialect::Iec, options.board, found).into()
         },
@@ -46,6 +49,8 @@ impl TextLanguage {
         title: ["SCL", "SCL"],
         begins: weighed,
         colours: |text| unoclp_st::colours(text, unoclp_st::Dialect::Scl),
+        outline: |text| unoclp_st::outline(text, unoclp_st::Dialect::Scl),
+        vocabulary: unoclp_st::vocabulary,
         read: |text, options, found| {
             unoclp_st::check(text, unoclp_st::Dialect::Scl, options.board, found).into()
         },
@@ -56,6 +61,8 @@ impl TextLanguage {
         title: ["InterSCL", "InterSCL"],
         begins: weighed,
         colours: unoclp_iscl::colours,
+        outline: unoclp_iscl::outline,
+        vocabulary: unoclp_iscl::vocabulary,
         read: |text, options, found| unoclp_iscl::check(text, options.board, found).into(),
     });
     /// LCE, the language of SimuPLC.
@@ -64,6 +71,8 @@ impl TextLanguage {
         title: ["LCE", "LCE"],
         begins: weighed,
         colours: unoclp_lce::colours,
+        outline: unoclp_lce::outline,
+        vocabulary: unoclp_lce::vocabulary,
         read: |text, options, found| unoclp_lce::check(text, options.board, found).into(),
     });
     /// Instruction List.
@@ -72,6 +81,8 @@ impl TextLanguage {
         title: ["Instruction List", "Lista de Instruções"],
         begins: weighed,
         colours: unoclp_il::colours,
+        outline: unoclp_il::outline,
+        vocabulary: unoclp_il::vocabulary,
         read: unoclp_il::read,
     });
 
@@ -107,6 +118,21 @@ impl TextLanguage {
     /// Whether a text begins like one in it, and like one in no other.
     pub fn begins(self, text: &str) -> bool {
         (self.0.begins)(text)
+    }
+
+    /// The words of a text, and what each is.
+    pub fn words(self, text: &str) -> Painted {
+        (self.0.colours)(text)
+    }
+
+    /// What a text declares, and where: of one with mistakes too.
+    pub fn outline(self, text: &str) -> Outline {
+        (self.0.outline)(text)
+    }
+
+    /// The words that have a meaning of their own.
+    pub fn vocabulary(self) -> Vec<&'static str> {
+        (self.0.vocabulary)()
     }
 
     /// The language with this name.

@@ -5,7 +5,7 @@
 use super::ast::{Kind, Name};
 use super::checker::{Cells, Checker, Shown, Slot, Variable, Written};
 use unoclp_point::Maker;
-use unoclp_text::diagnostics::Code;
+use unoclp_text::diagnostics::{Code, Word};
 use unoclp_text::near::nearest;
 use unoclp_text::points;
 use unoclp_tree::build::both;
@@ -94,7 +94,7 @@ impl Checker<'_, '_> {
                 format!("capitals and small letters differ: is it `{near}`?"),
                 format!("maiúsculas e minúsculas são diferentes: seria `{near}`?"),
             ),
-            Some(near) => both(format!("is it `{near}`?"), format!("seria `{near}`?")),
+            Some(near) => Word::Near(near.to_string()),
             None => both(
                 format!("name a variable so: var V0 = {text};"),
                 format!("dê esse nome a uma variável: var V0 = {text};"),

@@ -31,6 +31,7 @@ use unoclp_text::colour::Colour;
 use token::{Kind, Token};
 use unoclp_core::Board;
 use unoclp_text::diagnostics::{Code, Found, Span};
+use unoclp_text::outline::{self, Labels, Outline};
 use unoclp_tree::{Base, Standard, Tree};
 use words::Keyword;
 
@@ -58,6 +59,17 @@ pub fn colours(text: &str, dialect: Dialect) -> Vec<(Span, Option<Colour>)> {
         .iter()
         .map(|token| (token.span, colour(token)))
         .collect()
+}
+
+/// What a text declares, and where.
+pub fn outline(text: &str, dialect: Dialect) -> Outline {
+    outline::norm(text, &colours(text, dialect), Labels::AreNot)
+}
+
+/// The keywords, those of a chart among them.
+pub fn vocabulary() -> Vec<&'static str> {
+    let keywords = Keyword::ALL.iter().map(|keyword| keyword.name());
+    keywords.chain(IN_CHARTS).collect()
 }
 
 /// Whether this is a keyword, or a type of the norm, in upper case.

@@ -7,6 +7,9 @@ macro_rules! keywords {
         pub(super) enum Keyword { None, $($name,)* }
 
         impl Keyword {
+            /// All of them.
+            pub const ALL: &'static [Keyword] = &[$(Keyword::$name,)*];
+
             /// As it is written.
             pub fn name(self) -> &'static str {
                 match self {

@@ -14,6 +14,8 @@ pub enum Word {
     Text(String),
     /// English, and Portuguese.
     Both(String, String),
+    /// The name that may have been meant: "is it `motor`?"
+    Near(String),
 }
 
 impl From<&str> for Word {
@@ -120,6 +122,11 @@ impl Diagnostic {
         self.fill(words.help, lang)
     }
 
+    /// What the place in the text adds to the message.
+    pub fn words(&self) -> &[Word] {
+        &self.words
+    }
+
     fn fill(&self, template: &str, lang: Lang) -> String {
         let mut text = String::with_capacity(template.len());
         let mut rest = template;
@@ -134,6 +141,13 @@ impl Diagnostic {
                     Lang::En => en,
                     Lang::Pt => pt,
                 }),
+                Some(Word::Near(name)) => {
+                    let [before, after] = match lang {
+                        Lang::En => ["is it `", "`?"],
+                        Lang::Pt => ["seria `", "`?"],
+                    };
+                    text.extend([before, name, after]);
+                }
                 None => {}
             }
             rest = after;

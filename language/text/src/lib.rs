@@ -5,6 +5,7 @@
 //! - [`scanner`]: a text byte by byte; [`comments`] and [`colour`]: what its parts are
 //! - [`literal`] and [`decimal`]: what numbers and times are worth
 //! - [`points`] and [`dialect`]: which points a board has, and how makers write them; [`moved`]: which take the place of others
+//! - [`outline`]: what a text declares, and where
 //! - [`near`]: slips of the hand; [`lacking()`]: how much a program is too long
 //!
 //! Owns what is told about texts, in both languages. Must not know types, trees, what a word does.
@@ -21,6 +22,7 @@ pub mod literal;
 mod messages;
 pub mod moved;
 pub mod near;
+pub mod outline;
 pub mod points;
 pub mod scanner;
 mod severity;

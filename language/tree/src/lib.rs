@@ -59,7 +59,7 @@ mod value;
 mod width;
 
 pub use base::{Base, Generic, Width};
-pub use build::{is_function, usual};
+pub use build::{functions, is_function, usual};
 pub use enumeration::Enumeration;
 pub use expression::{
     Binary, Call, Compare, Convert, Expr, ExprKind, Extra, Index, Input, Output, Place, Root,

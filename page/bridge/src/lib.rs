@@ -31,6 +31,8 @@
 mod adapt;
 mod answer;
 mod ask;
+#[cfg(feature = "full")]
+mod assist;
 mod board;
 mod call;
 #[cfg(feature = "full")]

@@ -7,7 +7,7 @@ use crate::edit::{Act, Drawing};
 use crate::machine::{self, Machine};
 use crate::program::{known, source};
 use crate::words::{self, No, both};
-use crate::{card, draw, exercise, replay};
+use crate::{assist, card, draw, exercise, replay};
 use unoclp_program::Written;
 use unoclp_workspace::Workspace;
 
@@ -187,6 +187,28 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<Answer, No> {
         }
         More::Drawn { form } => Answer::Drawn(drawing(boards)?.0.text(form)?),
         More::Find { words } => Answer::Find(drawing(boards)?.0.find(&words)),
+        More::Complete { version, at, speak } => {
+            Answer::Complete(assist::complete(&*known(version, workspace)?, at, speak))
+        }
+        More::Meant { version, at, speak } => {
+            Answer::Meant(assist::meant(&*known(version, workspace)?, at, speak))
+        }
+        More::Uses { version, at } => Answer::Uses(assist::uses(&*known(version, workspace)?, at)),
+        More::Rename { version, at, to } => {
+            Answer::Rename(assist::rename(&*known(version, workspace)?, at, &to)?)
+        }
+        More::Form { version } => Answer::Form(assist::form(&*known(version, workspace)?)),
+        More::Remedies {
+            version,
+            from,
+            to,
+            speak,
+        } => Answer::Remedies(assist::remedies(
+            &*known(version, workspace)?,
+            from,
+            to,
+            speak,
+        )),
     })
 }
 

@@ -181,6 +181,26 @@ impl Units<'_> {
     }
 }
 
+/// The units of UTF-16 before a byte.
+#[cfg(feature = "full")]
+pub fn unit(text: &str, byte: u32) -> usize {
+    let before = text.get(..byte as usize).unwrap_or(text);
+    before.encode_utf16().count()
+}
+
+/// The byte at which a unit of UTF-16 begins; the text's end where it has not so many.
+#[cfg(feature = "full")]
+pub fn byte(text: &str, unit: usize) -> u32 {
+    let mut units = 0;
+    for (at, character) in text.char_indices() {
+        if units >= unit {
+            return at as u32;
+        }
+        units += character.len_utf16();
+    }
+    text.len() as u32
+}
+
 /// Where the lines of a text begin.
 struct LineStarts<'t>(Vec<(usize, &'t str)>);
 

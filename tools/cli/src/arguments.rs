@@ -1,13 +1,13 @@
 //! The command line: `unoclp check`, `compile`, `list`, `sim`, `grade`, `run` and `card` on this PC,
 //! `unoclp upload`, `unoclp monitor`, `unoclp settings` and `unoclp flash` on a board, `unoclp serve` for browsers,
-//! `unoclp site` for the file that says what it serves.
+//! `unoclp site` for the file that says what it serves, `unoclp lsp` for editors.
 //!
 //! Exit codes: 0 all is well; 1 a program has faults or an expectation was not met; 2 the command
 //! could not be carried out.
 
 use crate::commands::{
     self, At, Changes, Class, Doors, Firmware, Form, Leave, Machine, OfPlant, OfSite, Over, Paper,
-    What, Wording, in_portuguese, langs, language, naming_languages, refuse,
+    What, Wording, boards, in_portuguese, langs, language, naming_languages, refuse,
 };
 use crate::messages;
 use anstream::eprintln;
@@ -18,6 +18,7 @@ use std::ffi::OsString;
 use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use unoclp_core::Board;
 use unoclp_draw::NARROWEST;
 use unoclp_lang::Lang;
 
@@ -180,6 +181,12 @@ enum Command {
     Serve {
         #[command(flatten)]
         doors: Doors,
+    },
+    /// Help an editor that speaks the Language Server Protocol, over standard input and output
+    Lsp {
+        /// The board that its programs are for
+        #[arg(long, value_name = "BOARD", default_value = "uno", value_parser = boards())]
+        board: Board,
     },
     /// Check a site file: which boards a gateway serves, and to whom
     Site {
@@ -361,6 +368,7 @@ pub fn run() -> ExitCode {
             end_forcing,
         } => commands::monitor(file.as_deref(), at.place(), end_forcing, &wording),
         Command::Serve { doors } => commands::serve(doors),
+        Command::Lsp { board } => commands::lsp(board, asked()),
         Command::Site { of } => commands::site(&of),
         Command::Settings { at, changes } => commands::settings(&at.place(), &changes),
     };

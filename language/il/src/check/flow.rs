@@ -8,7 +8,7 @@ use super::run::{Acc, Changes, Waiting};
 use super::walk::Walk;
 use std::collections::HashSet;
 use unoclp_core::isa::Opcode;
-use unoclp_text::diagnostics::{Code, Span};
+use unoclp_text::diagnostics::{Code, Span, Word};
 use unoclp_text::near::nearest;
 use unoclp_tree::{Expr, Stmt, StmtKind, TypeId};
 
@@ -149,13 +149,13 @@ impl Walk<'_, '_, '_> {
         let labels = self.run.labels.all.iter();
         let labels: Vec<String> = labels.map(|span| self.built().written(*span)).collect();
         let help = match nearest(&name, labels.iter().map(String::as_str)) {
-            Some(near) => (format!("is it `{near}`?"), format!("seria `{near}`?")),
-            None => (
+            Some(near) => Word::Near(near.to_owned()),
+            None => Word::Both(
                 format!("write `{name}:` before the instruction to go on with"),
                 format!("escreva `{name}:` antes da instrução em que o programa deve continuar"),
             ),
         };
-        self.tell(Code::NoSuchLabel, span, [name.into(), help.into()]);
+        self.tell(Code::NoSuchLabel, span, [name.into(), help]);
     }
 
     fn jump_to(&mut self, condition: Option<Expr>, label: usize, at: Span) {

@@ -67,7 +67,7 @@ impl Near {
     /// What can be called, or which declared name was meant.
     pub(super) fn callable(&mut self, written: &str) -> Word {
         match self.nearest(written) {
-            Some(near) => Word::Both(format!("is it `{near}`?"), format!("seria `{near}`?")),
+            Some(near) => Word::Near(near.to_string()),
             None => (
                 "CAL takes a timer, a counter, or a FUNCTION or FUNCTION_BLOCK of this file",
                 "CAL aceita um temporizador, um contador, ou uma FUNCTION ou FUNCTION_BLOCK deste arquivo",

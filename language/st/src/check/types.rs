@@ -87,7 +87,7 @@ impl Checker<'_, '_, '_> {
         let own = own.chain(units).take(200);
         let near = unoclp_text::near::nearest(&name.text, bases.chain(blocks).chain(own));
         match near {
-            Some(near) => both(format!("is it `{near}`?"), format!("seria `{near}`?")),
+            Some(near) => Word::Near(near.to_string()),
             None => (
                 "types are BOOL, INT, DINT, REAL, TIME and others of the norm, TON, CTU and other blocks, and those of TYPE and FUNCTION_BLOCK",
                 "há os tipos BOOL, INT, DINT, REAL, TIME e outros da norma, TON, CTU e outros blocos, e os de TYPE e FUNCTION_BLOCK",

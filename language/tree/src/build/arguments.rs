@@ -179,7 +179,7 @@ impl Builder<'_, '_> {
         let list: Vec<&str> = names.clone().collect();
         let list = list.join(", ");
         let help = match unoclp_text::near::nearest(written, names) {
-            Some(near) => both(format!("is it `{near}`?"), format!("seria `{near}`?")),
+            Some(near) => Word::Near(near.to_string()),
             None => both(format!("it has {list}"), format!("ele tem {list}")),
         };
         self.tell(Code::StNoParameter, at, [name.into(), written.into(), help]);

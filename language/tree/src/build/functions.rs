@@ -101,6 +101,11 @@ pub(super) fn names() -> impl Iterator<Item = &'static str> {
     TABLE.iter().map(|row| row.0)
 }
 
+/// The standard functions, each with its parameters. Of `IN1` and `IN2` alone some take more: `IN3`, …
+pub fn functions() -> impl Iterator<Item = (&'static str, &'static [&'static str])> {
+    TABLE.iter().map(|row| (row.0, row.1))
+}
+
 /// `INT_TO_REAL`, `TO_INT`: from what, if it says so, and to what.
 fn conversion_named(name: &str) -> Option<(Option<&str>, Base)> {
     if let Some(to) = name.strip_prefix("TO_") {

@@ -67,7 +67,7 @@ mod words;
 
 pub use arguments::{Argument, Given};
 pub use builder::{Builder, MOST_CELLS};
-pub use functions::{is_function, usual};
+pub use functions::{functions, is_function, usual};
 pub use named::{Letters, Named, Section, Traits};
 pub use places::Target;
 pub use stages::{Before, Closed, Declaring, Enter};

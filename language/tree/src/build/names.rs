@@ -4,7 +4,6 @@
 
 use super::builder::{Builder, Draft};
 use super::named::Named;
-use super::words::both;
 use crate::{Kind, TypeId, Value};
 use unoclp_text::diagnostics::{Code, Span, Word};
 use unoclp_text::near::nearest;
@@ -134,10 +133,7 @@ impl<'t, 'f> Builder<'t, 'f> {
         // Of two that are as near, the same is told each time.
         names.sort_unstable();
         match nearest(name, names.into_iter()) {
-            Some(near) => {
-                let near = self.spelt(near);
-                both(format!("is it `{near}`?"), format!("seria `{near}`?"))
-            }
+            Some(near) => Word::Near(self.spelt(near)),
             None => otherwise,
         }
     }

@@ -106,6 +106,13 @@ impl Page {
             ("machine" | "picture", "name") | (_, "plant") => json!("motor.toml"),
             ("read", "name") => json!("STATE.TXT"),
             (_, "name") => json!(program.0),
+            // A name that is there, and another.
+            ("rename", "version") => {
+                let text = "PROGRAM p\nVAR a AT %QX1 : BOOL; END_VAR\na := %IX1;\nEND_PROGRAM\n";
+                self.ok(&json!({ "ask": "text", "name": "a.st", "text": text }))
+            }
+            ("rename", "at") => json!(14),
+            ("rename", "to") => json!("motor"),
             (_, "version") => {
                 let text = json!({ "ask": "text", "name": program.0, "text": program.1 });
                 self.ok(&text)

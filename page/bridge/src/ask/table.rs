@@ -5,6 +5,8 @@ use super::field::{Blocks, Log, Text};
 use super::{Below, Columns, asks};
 #[cfg(feature = "full")]
 use crate::adapt::Adapted;
+#[cfg(feature = "full")]
+use crate::assist::{Change, Meant, Mended, Offers, UsedAt};
 use crate::board::Step;
 #[cfg(feature = "full")]
 use crate::card::Card;
@@ -55,7 +57,7 @@ asks! {
 }
 
 /// What takes the module that has everything.
-pub const MORE: [&str; 25] = [
+pub const MORE: [&str; 31] = [
     "list",
     "adapt",
     "pages",
@@ -81,6 +83,12 @@ pub const MORE: [&str; 25] = [
     "edit",
     "drawn",
     "find",
+    "complete",
+    "meant",
+    "uses",
+    "rename",
+    "form",
+    "remedies",
 ];
 
 #[cfg(feature = "full")]
@@ -146,4 +154,16 @@ asks! {
     Drawn "drawn" { form as "as": WriteAs } -> String;
     /// What of it has these words in it.
     Find "find" { words: String } -> Vec<u32>;
+    /// What may stand at a place of a text, in units of UTF-16 from its beginning.
+    Complete "complete" { version: Version, at: usize, speak: Speak } -> Offers;
+    /// What stands there; null where nothing is known of it.
+    Meant "meant" { version: Version, at: usize, speak: Speak } -> Option<Meant>;
+    /// Where that is used, its declaration among them.
+    Uses "uses" { version: Version, at: usize } -> Vec<UsedAt>;
+    /// What gives the name there another.
+    Rename "rename" { version: Version, at: usize, to: String } -> Vec<Change>;
+    /// What places the words of a text well.
+    Form "form" { version: Version } -> Vec<Change>;
+    /// What can be done about the mistakes between two places.
+    Remedies "remedies" { version: Version, from: usize, to: usize, speak: Speak } -> Vec<Mended>;
 }

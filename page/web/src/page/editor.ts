@@ -17,6 +17,7 @@ import {
 } from "@codemirror/view";
 import type { Checked, Live } from "../tools/answers";
 import { say, speak, told } from "../words/words";
+import type { Around } from "./assist";
 import { colours, paint } from "./colours";
 
 type Lines = Live["lines"];
@@ -120,13 +121,13 @@ export class Editor {
     });
   }
 
-  /** Loads what nobody needs for the first line. Without it one still writes. */
-  furnish(): void {
+  /** Loads what nobody needs for the first line, with its menu in this bar. Without it one still writes. */
+  furnish(around: Around, bar: HTMLElement): void {
     import("./comforts").then(
       (comfort) => {
         this.comfort = comfort;
         speak.follow((language) => {
-          this.view.dispatch({ effects: this.comforts.reconfigure(comfort.comforts(language)) });
+          this.view.dispatch({ effects: this.comforts.reconfigure(comfort.comforts(language, around, bar)) });
           this.underline();
         });
       },

@@ -196,7 +196,11 @@ async function load(): Promise<void> {
   document.documentElement.dataset["ready"] = "yes";
   performance.mark("ready");
   setTimeout(() => {
-    editor.furnish();
+    editor.furnish({
+      tools: remote,
+      of: (text) => ({ ...program.text.value, text }),
+      value: (name) => view.value(name),
+    }, byId("program-bar"));
     if (isFirst) void begin(bench, () => program.text.value === first, start.run);
   });
   if (!isSingle && "serviceWorker" in navigator && location.protocol.startsWith("http")) {

@@ -16,6 +16,7 @@ import { keep, kept } from "./kept";
 import { LadderView } from "./ladder";
 import { later } from "./later";
 import { note } from "./notes";
+import { pointsOf } from "./points";
 import { countOf, showProblems } from "./problems";
 
 const VIEWS = ["draw", "both", "text"] as const;
@@ -164,6 +165,16 @@ export class ProgramView {
     byId("ladder").hidden = hides;
     this.ladder.show(svg);
     this.live();
+  }
+
+  /** What a variable or point is worth now, in words; null where that is not known. */
+  value(name: string): string | null {
+    const made = this.program.looked.value?.checked.program;
+    const seen = this.bench.seen.value;
+    if (!made || !seen || !liveOf(this.bench, this.program.text.value)) return null;
+    const is = (own: string): boolean => own.toUpperCase() === name.toUpperCase();
+    const point = pointsOf(made).find((point) => is(point.name) || is(point.called));
+    return point ? String(point.value(seen)) : null;
   }
 
   /** Shows what runs, as long as it is what is shown. */

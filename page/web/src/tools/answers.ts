@@ -87,6 +87,13 @@ export interface Case {
   readonly hidden: boolean;
 }
 
+/** A change of a text. */
+export interface Change {
+  readonly from: number;
+  readonly to: number;
+  readonly insert: string;
+}
+
 /** What there is to say of a text. */
 export interface Checked {
   /** `il`, `st`, `scl`, `iscl`, `lce`, `numeric`; empty for a text in none of them. */
@@ -275,6 +282,22 @@ export interface Made {
   readonly lacking: Both | null;
 }
 
+/** What a word stands for. */
+export interface Meant {
+  readonly from: number;
+  readonly to: number;
+  readonly head: string;
+  readonly lines: readonly string[];
+  /** The variable or point whose live value it is. */
+  readonly value: string | null;
+}
+
+/** A way to mend a mistake. */
+export interface Mended {
+  readonly title: string;
+  readonly changes: readonly Change[];
+}
+
 /** A mistake. */
 export interface Mistake {
   readonly at: number | null;
@@ -313,6 +336,23 @@ export type News =
   | { readonly news: "done"; readonly order: number; readonly said: Both | null }
   /** Something ordered was not done, and why. */
   | { readonly news: "undone"; readonly order: number; readonly why: Both };
+
+/** Something that may stand there. */
+export interface Offer {
+  readonly label: string;
+  readonly kind: "variable" | "property" | "function" | "type" | "enum" | "constant" | "keyword";
+  /** Its type, or what it takes. */
+  readonly detail: string;
+  /** What is written, where that is not the label. */
+  readonly insert: string | null;
+}
+
+/** What may stand at a place. */
+export interface Offers {
+  /** Where the word begins that is written there, units of UTF-16 from the beginning of the text. */
+  readonly from: number;
+  readonly offers: readonly Offer[];
+}
 
 /** What came of a check. */
 export interface Outcome {
@@ -513,6 +553,16 @@ export interface Unmet {
   /** ms after the first scan. */
   readonly from: number;
   readonly to: number;
+}
+
+/** A place at which a name is used. */
+export interface UsedAt {
+  /** From 1. */
+  readonly line: number;
+  readonly from: number;
+  readonly to: number;
+  readonly declares: boolean;
+  readonly writes: boolean;
 }
 
 /** The numbers that it names. */

@@ -153,4 +153,16 @@ export interface Asks {
   drawn: { ask: { readonly as: DrawnAs }; answer: string };
   /** What of it has these words in it. */
   find: { ask: { readonly words: string }; answer: readonly number[] };
+  /** What may stand at a place of a text, in units of UTF-16 from its beginning. */
+  complete: { ask: { readonly version: number; readonly at: number; readonly speak?: Speak | undefined }; answer: Offers };
+  /** What stands there; null where nothing is known of it. */
+  meant: { ask: { readonly version: number; readonly at: number; readonly speak?: Speak | undefined }; answer: Meant | null };
+  /** Where that is used, its declaration among them. */
+  uses: { ask: { readonly version: number; readonly at: number }; answer: readonly UsedAt[] };
+  /** What gives the name there another. */
+  rename: { ask: { readonly version: number; readonly at: number; readonly to: string }; answer: readonly Change[] };
+  /** What places the words of a text well. */
+  form: { ask: { readonly version: number }; answer: readonly Change[] };
+  /** What can be done about the mistakes between two places. */
+  remedies: { ask: { readonly version: number; readonly from: number; readonly to: number; readonly speak?: Speak | undefined }; answer: readonly Mended[] };
 }

@@ -37,6 +37,10 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     ("plant draw", "Desenha uma máquina como ela está no começo"),
     (
+        "lsp",
+        "Ajuda um editor que fala o Language Server Protocol, por entrada e saída padrão",
+    ),
+    (
         "grade",
         "Roda os programas de uma turma pelos casos de um exercício",
     ),

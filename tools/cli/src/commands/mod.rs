@@ -14,6 +14,7 @@
 //! - `monitor`, `settings`, `upload`: the commands that speak to a board
 //! - `flash`: the firmware of a board
 //! - `serve`, `site`: the page, and the boards behind it
+//! - `lsp`: editors
 
 /// Says a line, if anybody reads it: a board is not left half done because nobody does.
 macro_rules! say {
@@ -32,6 +33,7 @@ mod grade;
 mod help;
 mod interrupt;
 mod list;
+mod lsp;
 mod monitor;
 mod mutants;
 mod open;
@@ -55,6 +57,7 @@ pub use flash::{Firmware, flash};
 pub use grade::{Class, grade};
 pub use help::{in_portuguese, naming_languages};
 pub use list::{Picture, list};
+pub use lsp::lsp;
 pub use monitor::monitor;
 pub use mutants::find_mutants;
 pub use open::check;
@@ -67,7 +70,7 @@ pub use settings::{Changes, settings};
 pub use sim::{Run, scenario, simulate};
 pub use site::{OfSite, site};
 pub use upload::{Leave, upload};
-pub use wording::{Wording, langs, language};
+pub use wording::{Wording, boards, langs, language};
 pub use words::{Form, Paper};
 
 use crate::messages;

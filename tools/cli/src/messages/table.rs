@@ -23,6 +23,9 @@ unoclp_words::messages! {
     not_adapted(file)
         "{file} is not Instruction List, Structured Text or PLCopen XML: only there are points written as %QX1.3"
         "{file} não é Lista de Instruções, Texto Estruturado nem PLCopen XML: só neles os pontos se escrevem como %QX1.3";
+    no_editor(why)
+        "no editor speaks here: {why}. An editor starts this command itself; docs/editors.md says how"
+        "nenhum editor fala aqui: {why}. O próprio editor inicia este comando; docs/editors.pt-BR.md explica como";
     can_be_adapted(file, points, board)
         "unoclp adapt {file} -o COPY writes a copy that gives {points} free points of the {board}"
         "unoclp adapt {file} -o COPIA escreve uma cópia que dá a {points} pontos livres do {board}";

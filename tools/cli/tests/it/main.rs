@@ -9,6 +9,7 @@ mod check_output;
 mod command_line;
 mod common;
 #[cfg(unix)]
+mod editors;
 mod exercises;
 mod flash;
 mod handed_in;

@@ -51,6 +51,22 @@ pub fn list(
     })
 }
 
+/// What the steps do that a line of the text has become, which counts from 1, and how many bytes they take when they are
+/// stored.
+pub fn of_line(source: &Source, line: usize, lang: Lang) -> (Vec<String>, usize) {
+    let mut steps = source.program().steps();
+    let (mut effects, mut bytes) = (Vec::new(), 0);
+    for place in &source.map.steps {
+        let before = steps.at();
+        let Some(step) = steps.next() else { break };
+        if place.unit.is_none() && place.line == line {
+            bytes += steps.at() - before;
+            effects.push(numeric::meaning(step, lang));
+        }
+    }
+    (effects, bytes)
+}
+
 /// A program as a project in PLCopen XML, which goes by the name of its file.
 ///
 /// # Errors

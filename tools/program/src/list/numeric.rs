@@ -78,6 +78,12 @@ fn comment(line: &str) -> String {
     format!("{}\n", format!("/ {line}").trim_end())
 }
 
+/// What an instruction does, with its operands: `acc := acc AND input 01`.
+pub(super) fn meaning(step: Instruction<'_>, lang: Lang) -> String {
+    let mut lines = lines(step, lang).into_iter();
+    lines.next().map_or_else(String::new, |line| line.meaning)
+}
+
 /// The lines of an instruction: its code, then its operands.
 fn lines(step: Instruction<'_>, lang: Lang) -> Vec<Line> {
     let row = step.opcode.row();

@@ -1,0 +1,132 @@
+//! Where a name comes from, and where it is used.
+
+use crate::language;
+use crate::meaning::{Meaning, point};
+use crate::reader::Reader;
+use unoclp_lang::{Colour, Span};
+use unoclp_program::Written;
+
+/// A place at which a name is used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Use {
+    /// The name there.
+    pub span: Span,
+    /// Whether it is declared there.
+    pub declares: bool,
+    /// Whether something is stored there.
+    pub writes: bool,
+}
+
+/// Where the text declares what stands at a byte of it.
+pub fn declaration(written: &Written, byte: u32) -> Option<Span> {
+    let text = written.text();
+    let reader = Reader::new(&text, language(written)?);
+    let at = reader.word_at(byte)?;
+    match reader.meaning(at)? {
+        Meaning::Declared(at) => reader.named(at).map(|named| named.name),
+        Meaning::Point(address) => {
+            let named = reader.outline.named.iter();
+            let is_at = |span: Span| point(reader.written(span)) == Some(address);
+            let mut named = named.filter(|named| named.point.is_some_and(is_at));
+            named.next().map(|named| named.name)
+        }
+        _ => None,
+    }
+}
+
+/// All places at which what stands at a byte is used, its declaration among them: a name, a member, a point, a block.
+pub fn uses(written: &Written, byte: u32) -> Vec<Use> {
+    let text = written.text();
+    let Some(language) = language(written) else {
+        return Vec::new();
+    };
+    let reader = Reader::new(&text, language);
+    let meaning = reader.word_at(byte).and_then(|at| reader.meaning(at));
+    meaning.map_or_else(Vec::new, |meaning| reader.uses(&meaning))
+}
+
+impl Reader<'_> {
+    /// All places of what has this meaning, in their order.
+    pub fn uses(&self, meaning: &Meaning) -> Vec<Use> {
+        if *meaning == Meaning::Word {
+            return Vec::new();
+        }
+        let name = match meaning {
+            Meaning::Declared(at) => self
+                .named(*at)
+                .map(|named| self.fold(self.written(named.name))),
+            _ => None,
+        };
+        let mut all = Vec::new();
+        for (at, word) in self.words.iter().enumerate() {
+            // Only a word of that name can mean it; the others need not be looked up.
+            if let Some(name) = &name
+                && !self.may_be(word.text, name)
+            {
+                continue;
+            }
+            if self.meaning(at).as_ref() != Some(meaning) {
+                continue;
+            }
+            let span = match (word.colour, word.text.rfind('#')) {
+                (Some(Colour::Number), Some(sign)) => Span {
+                    start: word.span.start + sign as u32 + 1,
+                    ..word.span
+                },
+                _ => word.span,
+            };
+            all.push(Use {
+                span,
+                declares: self.declares(meaning, span),
+                writes: self.writes(at),
+            });
+        }
+        all
+    }
+
+    fn may_be(&self, word: &str, name: &str) -> bool {
+        let last = word.rsplit('#').next().unwrap_or(word);
+        last.len() == name.len() && self.fold(last) == name
+            || !name.is_ascii() && self.fold(last) == name
+    }
+
+    fn declares(&self, meaning: &Meaning, span: Span) -> bool {
+        let Meaning::Declared(at) = meaning else {
+            return false;
+        };
+        self.named(*at).is_some_and(|named| named.name == span)
+    }
+
+    /// Whether the word at this place is stored in: `:=` follows it outside of parentheses, or it follows a store.
+    fn writes(&self, at: usize) -> bool {
+        let mut next = at + 1;
+        while self.text_of(Some(next)) == "[" {
+            let closes = |(end, word): (usize, &crate::reader::Word<'_>)| {
+                (word.text == "]" && self.openers[end] == next).then_some(end)
+            };
+            let rest = self.words.iter().enumerate().skip(next);
+            match rest.take(256).find_map(closes) {
+                Some(end) => next = end + 1,
+                None => return false,
+            }
+        }
+        let before = self.text_of(at.checked_sub(1)).to_ascii_uppercase();
+        let is_stored = matches!(
+            before.as_str(),
+            "ST" | "STN"
+                | "S"
+                | "R"
+                | "OUT"
+                | "SET"
+                | "RST"
+                | "ACIONA"
+                | "LIGA"
+                | "DESLIGA"
+                | "OPERATE"
+                | "TURN_ON"
+                | "TURN_OFF"
+        );
+        let is_given = self.openers.get(at) == Some(&crate::reader::NO_OPENER);
+        self.text_of(Some(next)) == ":=" && is_given || is_stored
+    }
+}
