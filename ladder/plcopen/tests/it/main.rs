@@ -4,6 +4,7 @@ mod adapted;
 mod alike;
 mod any_text;
 mod cases;
+mod diagrams;
 mod edited;
 mod no_such_points;
 mod round_trip;
