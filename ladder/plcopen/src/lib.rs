@@ -56,7 +56,7 @@ mod values;
 mod xml;
 
 pub use adapt::adapt;
-pub use export::{Lost, export};
+pub use export::{Exported, Lost, export};
 pub use imported::Imported;
 pub use program::import;
 

@@ -143,7 +143,11 @@ pub fn listed(source: &Source, form: As, width: usize, speak: Speak) -> Result<S
         As::St => Form::St,
         As::Numeric => Form::Numeric,
         As::Svg => return Ok(svg(source, width, speak.into())),
-        As::Xml => return plcopen(source).map_err(|lost| both(|lang| told(&lost, lang)).into()),
+        As::Xml => {
+            let project = plcopen(source);
+            let project = project.map_err(|lost| both(|lang| told(&lost, lang)))?;
+            return Ok(project.text);
+        }
     };
     list(source, form, width, speak.into())
         .map_err(|refused| both(|lang| refused.message(lang)).into())
