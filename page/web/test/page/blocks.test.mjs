@@ -17,14 +17,18 @@ before(async () => {
 });
 after(() => lab.end());
 
-const LATCH = "LD I1\nOR Q1\nANDN I2\nST Q1\n\nLD I3\nAND( I1\nOR I2\n)\nTON T1, 200\nST Q2\n";
+/** A latch; and an OR of two inputs after a third, with a coil. */
+const LATCH = [0, 827301, 40, 827901, 41, -827302, 877901, 787600, 827303, 6540, 827301, 40, 827302, 41, 41, 877902].join("\n");
+
+/** A straight wire has no height: it is there, and counts as hidden. */
+const drawn = /** @type {const} */ ({ state: "attached" });
 
 /** The wires that carry power, beside those of the rails. @param {Page} page */
 const lit = (page) => page.locator("#sheet .ladder.live .wire.on").count();
 
 test("a latch is shown as blocks and back, runs live in both, and is changed as blocks", async () => {
   const page = await lab.open();
-  await type(page, LATCH, "latch.il");
+  await type(page, `${LATCH}\n`, "latch.txt");
   await page.click("#view-draw");
   await page.locator("#sheet .element").first().waitFor();
   const elements = await page.locator("#sheet .element").count();
@@ -37,12 +41,12 @@ test("a latch is shown as blocks and back, runs live in both, and is changed as 
   await run(page);
   await holding(page, 1, () => lamp(page, 1, true));
   // I1 is off again: Q1 keeps the OR, and I2, which is off, is negated.
-  await page.locator('#sheet .ladder.live .wire.on[data-says="Q1"]').waitFor();
-  await page.locator('#sheet .ladder.live .wire:not(.on)[data-says="I1"]').first().waitFor();
+  await page.locator('#sheet .ladder.live .wire.on[data-says="Q1"]').waitFor(drawn);
+  await page.locator('#sheet .ladder.live .wire:not(.on)[data-says="I1"]').first().waitFor(drawn);
   await page.locator('#sheet .ladder.live .element.on[data-point="Q1"]').first().waitFor();
   assert.ok((await lit(page)) >= 3);
   // The OR of the second rung says what its inputs say, though I3 before it is off.
-  await holding(page, 2, () => page.locator('#sheet .ladder.live .wire.on[data-says="|2 I1 I2"]').waitFor());
+  await holding(page, 2, () => page.locator('#sheet .ladder.live .wire.on[data-says="|2 I1 I2"]').waitFor(drawn));
 
   // The selected block is deleted and put back, as in the ladder.
   const before = await keptText(page);
