@@ -1,7 +1,7 @@
 //! A rung as a block diagram on a page.
 //!
-//! Beside what `screen` names: a wire and a value of a point that is seen have the class `seen`, and say in `data-says` what
-//! they show: a point, or a gate of points in front of its inputs, `|2 I1 !I2`.
+//! Beside what `screen` names, wires and values of points that are seen whatever the power is say in `data-says` what they
+//! show: a point, or a gate of points in front of its inputs, `|2 I1 !I2`.
 
 use super::area::Area;
 use super::node::{Node, data};
@@ -209,13 +209,11 @@ impl Page<'_> {
         let Some(rung) = self.screen else {
             return self.wire(way, Some(from.net));
         };
-        let net = rung.net(from.net);
-        let wire = Node::path().set("d", way);
+        let class = of_net("wire", rung.net(from.net));
+        let wire = Node::path().set("d", way).set("class", class);
         self.add(match &from.says {
-            Some(says) => wire
-                .set("class", of_net("wire seen", net))
-                .set("data-says", &**says),
-            None => wire.set("class", of_net("wire", net)),
+            Some(says) => wire.set("data-says", &**says),
+            None => wire,
         });
     }
 
@@ -252,8 +250,7 @@ impl Page<'_> {
         };
         let mut named = screen::named_at(element, rung, inner, area, below + 11.0);
         if let Some(says) = &vertex.says {
-            let class = of_net("element seen", rung.net(element.net));
-            named = named.set("class", class).set("data-says", &**says);
+            named = named.set("data-says", &**says);
         }
         if let Some(ids) = self.ids {
             named = named.set("data-id", ids(index));

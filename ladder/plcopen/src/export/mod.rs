@@ -33,7 +33,7 @@ use names::Variables;
 use same::{not_read, says};
 use unoclp_core::Board;
 use unoclp_draw::edit::Document;
-use xml::escaped;
+pub(crate) use xml::escaped;
 
 /// A document as a project of one program, which goes by this name; [`import`](crate::import) makes the same codes of it. It
 /// says no date of its own.

@@ -7,6 +7,7 @@ mod cases;
 mod diagrams;
 mod edited;
 mod no_such_points;
+mod outlined;
 mod round_trip;
 mod texts;
 

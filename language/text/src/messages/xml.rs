@@ -168,6 +168,11 @@ macro_rules! xml_rows {
         "declare it among the global variables of the resource, with its address"
         "nenhuma variável global `{0}` está declarada; por isso uma é criada"
         "declare-a entre as variáveis globais do recurso, com o endereço";
+    538 XmlSameName Error
+        "another unit is called `{0}` too: letters of both cases are alike"
+        "rename one of the two"
+        "outra unidade também se chama `{0}`: maiúsculas e minúsculas são iguais"
+        "mude o nome de uma das duas";
         }
     };
 }

@@ -72,3 +72,24 @@ fn a_file_that_is_no_project_is_told_at_its_line() {
         "{out}"
     );
 }
+
+#[test]
+fn the_units_of_a_project_are_listed_in_the_words_of_the_norm() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../ladder/plcopen/tests/alike/diagrams.xml"
+    );
+    let (code, out, errors) = outcome(&["units", path]);
+    assert_eq!((code, errors.as_str()), (0, ""));
+    for line in [
+        "FUNCTION_BLOCK Latch (FBD)\n  VAR_INPUT go : BOOL\n",
+        "FUNCTION Double : INT (FBD)\n  VAR_INPUT x : INT\n  VAR_INPUT most : INT := 40\n",
+        "PROGRAM main (FBD)\n  VAR i0 AT %IX0.0 : BOOL\n",
+    ] {
+        assert!(out.contains(line), "{line}\n{out}");
+    }
+    let text = file("no-units.il", "LD I1\nST Q1\n");
+    let (code, out, _) = outcome(&["units", &text]);
+    assert_eq!(code, 1);
+    assert!(out.contains("error[XML-501]"), "{out}");
+}
