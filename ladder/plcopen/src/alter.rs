@@ -138,8 +138,8 @@ fn element(
     }
     let rank = |name: &str| ORDER.iter().position(|own| *own == name).unwrap_or(0);
     let elements = node.children().filter(Node::is_element);
-    let before = elements.filter(|other| rank(other.tag_name().name()) < rank(name));
-    match before.last() {
+    let mut before = elements.filter(|other| rank(other.tag_name().name()) < rank(name));
+    match before.next_back() {
         Some(before) => {
             let at = before.range().end;
             Some((at..at, new))
