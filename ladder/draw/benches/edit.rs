@@ -3,10 +3,10 @@
 
 use divan::{AllocProfiler, Bencher, black_box};
 use unoclp_core::Board;
-use unoclp_draw::Names;
 use unoclp_draw::edit::{
     Along, Coil, Cursor, Document, Draft, Drawn, Editor, Operation, Place, Row, State, apply,
 };
+use unoclp_draw::{Look, Names};
 use unoclp_point::Address;
 
 #[global_allocator]
@@ -68,7 +68,7 @@ fn canvas(bencher: Bencher<'_, '_>) {
     let title = |number: usize| number.to_string();
     bencher.bench_local(|| {
         Drawn::of(black_box(&document))
-            .canvas(&document, 80, &title, None)
+            .canvas(&document, (Look::Ladder, 80), &title, None)
             .rungs
             .len()
     });

@@ -65,6 +65,11 @@ impl<'l> Drawing<'l> {
         }
     }
 
+    /// What headings depend on: the ladder, and the columns that there are.
+    pub(crate) fn headed(&self) -> (&'l Ladder, usize) {
+        (self.ladder, self.limit)
+    }
+
     /// The ladder that is drawn.
     pub fn ladder(&self) -> &'l Ladder {
         self.ladder

@@ -2,9 +2,10 @@
 //!
 //! The way of a program through this crate: `symbols` says what each instruction looks like; `build` makes a
 //! tree of each rung's elements; `fork` and `stores` arrange it, `energise` gives every wire its net; `wrap`
-//! breaks what is too wide; `layout` makes cells of it. Text, terminals and SVG all show those cells.
+//! breaks what is too wide; `layout` makes cells of it. Text, terminals and SVG all show those cells. `blocks` makes a
+//! block diagram of the same tree, for SVG.
 //!
-//! Owns the ladder diagram of a program, its pictures, and the editor that draws one. Must not know files, terminals, texts.
+//! Owns the ladder diagram of a program and its block diagram, their pictures, and the editor that draws one. Must not know files, terminals, texts.
 //!
 //! # Rules
 //!
@@ -37,6 +38,7 @@
 #![forbid(unsafe_code)]
 
 mod block;
+mod blocks;
 mod build;
 mod drawing;
 pub mod edit;
@@ -57,12 +59,13 @@ mod words;
 mod wrap;
 
 pub use block::Cell;
+pub use blocks::Look;
 pub use drawing::{Drawing, NARROWEST, Picture, Style};
 pub use element::{Element, Symbol};
 pub use ladder::{Ladder, Rung};
 pub use listing::{Title, listing};
 pub use power::{Net, Nets, Power};
-pub use svg_page::{Area, Paper, Report, to_report, to_screen, to_svg};
+pub use svg_page::{Area, Paper, Report, to_blocks, to_report, to_screen, to_svg};
 pub use words::picture;
 
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! A drawing as a listing: each rung with its number, its lines in the file, and what it is about.
 
 use crate::words::picture;
-use crate::{Drawing, Names};
+use crate::{Drawing, Ladder, Names};
 use unicode_width::UnicodeWidthStr;
 use unoclp_checked::SourceMap;
 use unoclp_point::Address;
@@ -26,7 +26,7 @@ pub fn listing(drawing: &Drawing<'_>, map: &SourceMap, names: &Names, title: Tit
         text.push('\n');
     }
     for (index, picture) in drawing.rungs.iter().enumerate() {
-        for line in heading(drawing, map, names, title, index) {
+        for line in heading(drawing.headed(), map, names, title, index) {
             text += &format!("{line}\n");
         }
         text += &picture.to_string();
@@ -40,13 +40,13 @@ pub fn listing(drawing: &Drawing<'_>, map: &SourceMap, names: &Names, title: Tit
 /// What stands above a rung: `Rung 3, lines 27 to 31 (Motor): Turning, or running out`, with the unit that it comes from,
 /// and the lines in others, `(Motor 9-12)`, as many lines as that takes; then its labels.
 pub(crate) fn heading(
-    drawing: &Drawing<'_>,
+    (ladder, limit): (&Ladder, usize),
     map: &SourceMap,
     names: &Names,
     title: Title<'_>,
     index: usize,
 ) -> Vec<String> {
-    let rung = &drawing.ladder().rungs[index];
+    let rung = &ladder.rungs[index];
     let mut first = title(index + 1, map.lines(rung.first, rung.steps));
     let units = map.units(rung.first, rung.steps);
     let unit = |(at, (unit, (from, to))): (usize, &(Option<&str>, (usize, usize)))| {
@@ -66,7 +66,7 @@ pub(crate) fn heading(
         first += ": ";
         first += &about.join(" ");
     }
-    let mut lines = wrapped(&first, drawing.limit);
+    let mut lines = wrapped(&first, limit);
     lines.extend(rung.part.map(|part| format!("{}:", picture(part))));
     lines.extend(rung.labels.iter().map(|&label| {
         let point = Address::Label(label);

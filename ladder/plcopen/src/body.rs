@@ -1,4 +1,4 @@
-//! Projects that are compiled as a text: in Instruction List, or in Structured Text with ladder diagrams beside it.
+//! Projects that are compiled as a text: in Instruction List, or in Structured Text with drawn bodies beside it.
 
 use crate::found::{Found, span};
 use crate::imported::Imported;
@@ -41,7 +41,7 @@ pub(crate) fn compile(
     imported.program = program.map(|(checked, map)| (checked, written.placed(xml, map)));
 }
 
-/// The text of a project. Functions and blocks drawn as a ladder, or in a language that is not imported, count where
+/// The text of a project. Functions and blocks that are drawn, or in a language that is not imported, count where
 /// something uses them.
 fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &mut Found) -> Text {
     let mut written = Text::default();
@@ -67,10 +67,10 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
         let from = written.text.len();
         let body = match pou.body {
             Some((of_text, body)) if of_text == own => Some(body),
-            Some(("LD", body)) if own == "ST" => {
-                let ladder = st::write(pou, body, &project.globals, &units, found);
-                write_pou(&mut written, pou, &ladder.variables, found, |to| {
-                    for (piece, from) in &ladder.pieces {
+            Some(("LD" | "FBD", body)) if own == "ST" => {
+                let drawn = st::write(pou, body, &project.globals, &units, found);
+                write_pou(&mut written, pou, &drawn.variables, found, |to| {
+                    for (piece, from) in &drawn.pieces {
                         to.piece(piece, *from);
                     }
                 });
@@ -100,14 +100,6 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
 /// Tells that a body cannot be imported, and what it is.
 pub(crate) fn refuse(pou: &Pou<'_, '_>, language: &str, others: &str, found: &mut Found) {
     let (what, help): (Word, Word) = match language {
-        "FBD" => (
-            ("a function block diagram (FBD)", "um diagrama de blocos (FBD)").into(),
-            (
-                "draw it as a ladder (LD), or write it in ST",
-                "desenhe-o em ladder (LD), ou escreva-o em ST",
-            )
-                .into(),
-        ),
         "SFC" => (
             (
                 "a sequential function chart (SFC)",

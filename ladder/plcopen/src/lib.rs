@@ -12,6 +12,7 @@
 //! - `contacts`, `blocks`, `instances`, `values`: what stands on that way
 //! - `pins`, `unused`: wires that lead nowhere, and what they come from
 //! - `outputs`: the circuits of a network; `effects`: which of them may change places; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
+//! - `outline`: its units and their variables, as a tree; `alter`: one of these changed in the file
 //! - `adapt`: points that another PLC has, on this board
 //! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces stand in the file; `types`: types
 //!   as it spells them; `st`: ladder bodies as statements, where no document holds them
@@ -25,6 +26,7 @@
 
 mod adapt;
 mod allot;
+mod alter;
 mod around;
 mod blocks;
 mod body;
@@ -40,6 +42,7 @@ mod imported;
 mod instances;
 mod network;
 mod numbered;
+mod outline;
 mod outputs;
 mod pins;
 mod points;
@@ -56,8 +59,10 @@ mod values;
 mod xml;
 
 pub use adapt::adapt;
-pub use export::{Lost, export};
+pub use alter::{Change, alter};
+pub use export::{Exported, Lost, export};
 pub use imported::Imported;
+pub use outline::{Outline, Row, Unit, outline};
 pub use program::import;
 
 /// Whether a text is such a project, by its first words.

@@ -14,6 +14,8 @@ pub(crate) const DEEPEST: usize = 200;
 pub(crate) struct Network<'a, 'x> {
     /// What the POU is called.
     pub pou: String,
+    /// Whether it is a function block diagram.
+    pub is_blocks: bool,
     pub elements: Vec<Element<'a, 'x>>,
     /// What the outputs of each element lead to.
     pub readers: Vec<Vec<Reader<'a>>>,
@@ -85,6 +87,7 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
     pub(crate) fn read(pou: &str, body: Node<'a, 'x>, found: &mut Found) -> Network<'a, 'x> {
         let mut network = Network {
             pou: pou.to_owned(),
+            is_blocks: body.tag_name().name() == "FBD",
             elements: Vec::new(),
             readers: Vec::new(),
             is_in_order: is_in_order(body),
@@ -220,6 +223,10 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
         };
         let (en, pt) = drawn.called();
         match self.rungs.get(element).copied().flatten() {
+            Some(rung) if self.is_blocks => (
+                format!("`{pou}`, network {rung}, {en}"),
+                format!("`{pou}`, rede {rung}, {pt}"),
+            ),
             Some(rung) => (
                 format!("`{pou}`, rung {rung}, {en}"),
                 format!("`{pou}`, linha {rung}, {pt}"),

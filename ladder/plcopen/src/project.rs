@@ -61,6 +61,12 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
             .flat_map(|pous| all(pous, "pou"))
             .map(pou)
             .collect();
+        let mut named = HashSet::new();
+        for pou in &pous {
+            if !named.insert(pou.name.to_uppercase()) {
+                found.tell(Code::XmlSameName, pou.node, [pou.name.clone().into()]);
+            }
+        }
         let (programs, others) = pous.into_iter().partition(|pou| pou.kind == "program");
         let mut project = Project {
             programs,
@@ -177,9 +183,24 @@ fn globals(root: Node<'_, '_>) -> Vec<Variable> {
 
 /// The variables that a section declares.
 fn variables(section: Node<'_, '_>) -> Vec<Variable> {
-    let declared = all(section, "variable");
-    declared
-        .map(|node| Variable {
+    declared(section)
+        .map(|declared| declared.variable)
+        .collect()
+}
+
+/// A variable, and the element that declares it.
+pub(crate) struct Declared<'a, 'x> {
+    pub node: Node<'a, 'x>,
+    pub variable: Variable,
+}
+
+/// The same, with their elements.
+pub(crate) fn declared<'a, 'x: 'a>(
+    section: Node<'a, 'x>,
+) -> impl Iterator<Item = Declared<'a, 'x>> {
+    all(section, "variable").map(move |node| Declared {
+        node,
+        variable: Variable {
             name: node.attribute("name").unwrap_or_default().to_owned(),
             section: section.tag_name().name().to_owned(),
             address: node.attribute("address").map(str::to_owned),
@@ -188,6 +209,6 @@ fn variables(section: Node<'_, '_>) -> Vec<Variable> {
             retain: says(section, "retain"),
             constant: says(section, "constant"),
             at: span(node),
-        })
-        .collect()
+        },
+    })
 }

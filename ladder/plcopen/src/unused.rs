@@ -32,7 +32,13 @@ pub(crate) fn check(
             continue;
         }
         let inside = circle(network, at);
-        network.tell(found, Code::XmlLoop, inside, []);
+        if network.is_blocks {
+            // Wires may lead back; these lead nowhere else.
+            let what = what(&network.elements[inside]);
+            network.tell(found, Code::XmlNoSink, inside, [what]);
+        } else {
+            network.tell(found, Code::XmlLoop, inside, []);
+        }
         leading_to(network, std::iter::once(inside), &mut does);
     }
     labels(network, found);

@@ -41,8 +41,17 @@ fn first(ask: First, boards: &mut Boards) -> Result<Answer, No> {
         First::Ladder {
             version,
             width,
+            is_blocks,
             speak,
-        } => Answer::Ladder(draw::ladder(&*known(version, workspace)?, width.0, speak)?),
+        } => {
+            let analysis = known(version, workspace)?;
+            Answer::Ladder(draw::ladder(
+                &analysis,
+                width.0,
+                draw::look(is_blocks),
+                speak,
+            )?)
+        }
         First::Open {
             version,
             reset,

@@ -4,7 +4,7 @@ use crate::answer::answer;
 use crate::given::Given;
 use crate::program;
 use crate::words::{self, Both, No, both};
-use unoclp_draw::{Style, to_screen};
+use unoclp_draw::{Look, Style, to_blocks, to_screen};
 use unoclp_exercise::live::{Boxes, Flow};
 use unoclp_host_sim::engine::Machine;
 use unoclp_program::list::title;
@@ -72,29 +72,40 @@ answer! {
     }
 }
 
+/// How a page wants a ladder to look.
+pub fn look(is_blocks: Option<bool>) -> Look {
+    match is_blocks {
+        Some(true) => Look::Blocks,
+        _ => Look::Ladder,
+    }
+}
+
 /// The ladder of a program, for a page that shows it live.
 ///
 /// # Errors
 /// Where there is no program.
-pub fn ladder(analysis: &Analysis, width: usize, speak: Speak) -> Result<LadderDrawn, No> {
+pub fn ladder(
+    analysis: &Analysis,
+    width: usize,
+    look: Look,
+    speak: Speak,
+) -> Result<LadderDrawn, No> {
     let source = program::source(analysis)?;
     let (Some(ladder), Some(names)) = (analysis.ladder(), analysis.names()) else {
         return Err(both(words::faulty).into());
     };
     let start = start(source);
     let boxes = Boxes::new(source.program());
-    let drawing = ladder.draw(&Style {
+    let style = Style {
         width: width.min(WIDEST),
         names,
         live: &|step| boxes.text(step, &start),
-    });
-    let svg = to_screen(
-        &drawing,
-        &source.map,
-        names,
-        &title(speak.into()),
-        &source.name,
-    );
+    };
+    let (map, title, label) = (&source.map, title(speak.into()), &source.name);
+    let svg = match look {
+        Look::Ladder => to_screen(&ladder.draw(&style), map, names, &title, label),
+        Look::Blocks => to_blocks(ladder, &style, map, &title, label),
+    };
     let code = source.is_code();
     Ok(LadderDrawn { svg, code })
 }
@@ -125,7 +136,11 @@ pub fn listed(source: &Source, form: As, width: usize, speak: Speak) -> Result<S
         As::St => Form::St,
         As::Numeric => Form::Numeric,
         As::Svg => return Ok(svg(source, width, speak.into())),
-        As::Xml => return plcopen(source).map_err(|lost| both(|lang| told(&lost, lang)).into()),
+        As::Xml => {
+            let project = plcopen(source);
+            let project = project.map_err(|lost| both(|lang| told(&lost, lang)))?;
+            return Ok(project.text);
+        }
     };
     list(source, form, width, speak.into())
         .map_err(|refused| both(|lang| refused.message(lang)).into())

@@ -160,10 +160,16 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<Answer, No> {
             name,
             board,
             width,
+            is_blocks,
             speak,
         } => {
             let mut drawing = Drawing::open(base.0, log.0, board, workspace)?;
-            let view = drawing.view(name, board, (width.0, speak), workspace);
+            let view = drawing.view(
+                name,
+                board,
+                (width.0, draw::look(is_blocks), speak),
+                workspace,
+            );
             boards.drawing = Some(drawing);
             Answer::Draw(Box::new(view))
         }
@@ -172,6 +178,7 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<Answer, No> {
             name,
             board,
             width,
+            is_blocks,
             speak,
         } => {
             let (drawing, workspace) = drawing(boards)?;
@@ -181,7 +188,7 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<Answer, No> {
             Answer::Edit(Box::new(drawing.view(
                 name,
                 board,
-                (width.0, speak),
+                (width.0, draw::look(is_blocks), speak),
                 workspace,
             )))
         }

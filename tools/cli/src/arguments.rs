@@ -65,6 +65,11 @@ enum Command {
         #[command(flatten)]
         wording: Wording,
     },
+    /// Show the units of a project in PLCopen XML, with their languages and variables
+    Units {
+        /// The project in PLCopen XML; - reads it from standard input
+        file: PathBuf,
+    },
     /// Show a program as a ladder diagram, Instruction List, Structured Text, PLCopen XML, or numeric code with its meaning
     List {
         /// The program: {programs}; - reads it from standard input
@@ -293,6 +298,7 @@ pub fn run() -> ExitCode {
             output,
             wording,
         } => commands::adapt(&file, output.as_deref(), &wording),
+        Command::Units { file } => commands::units(&file),
         Command::List {
             file,
             wording,

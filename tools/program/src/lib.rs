@@ -6,6 +6,7 @@
 //! - [`drawn`]: a program that is drawn, and its text
 //! - [`lacks()`]: what a board lacks for a program of another
 //! - [`list`]: a program as a ladder diagram or as numeric code with its meaning
+//! - [`units()`]: what a project is made of
 //! - [`used`]: what a program uses of the board and its memory
 //!
 //! Owns the way from a file's bytes to a checked program, and what a person is shown of it. Must not know files, a
@@ -27,6 +28,7 @@ mod shown;
 mod size;
 mod source;
 mod text;
+mod units;
 pub mod used;
 mod words;
 mod written;
@@ -40,6 +42,7 @@ pub use shown::{harmless, harmless_lines, shown};
 pub use size::Size;
 pub use source::{Language, Source, load, names, point_names, symbols};
 pub use text::decode;
+pub use units::units;
 pub use written::{Refused, Written};
 pub use written_in::WrittenIn;
 

@@ -6,8 +6,8 @@ use super::operation::Place;
 use super::table::Table;
 use crate::drawing::Laid;
 use crate::power::Nets;
-use crate::svg_page::{Labels, OnSheet, tops};
-use crate::{Area, Style, picture};
+use crate::svg_page::{Labels, OnSheet, Shape, tops};
+use crate::{Area, Look, Style, picture};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use unoclp_checked::Work;
@@ -20,8 +20,9 @@ pub struct Canvas {
     pub size: (f32, f32),
     /// Its rungs, from top to bottom.
     pub rungs: Vec<Strip>,
-    /// What all of them were drawn with: the columns that they might take, those between the rails, the names of points.
-    drawn_with: (usize, usize, Arc<Table>),
+    /// What all of them were drawn with: how they look, the columns that they might take, those between the rails, the names
+    /// of points.
+    drawn_with: (Look, usize, usize, Arc<Table>),
 }
 
 /// A rung where it stands.
@@ -73,15 +74,15 @@ struct Of {
 struct Planned<'l> {
     of: Of,
     shown: &'l crate::Rung,
-    picture: Picture,
+    picture: Picture<'l>,
 }
 
 /// How far it is.
-enum Picture {
+enum Picture<'l> {
     /// It was drawn before, in columns that may be others.
     Known(Arc<RungDrawing>),
     /// It is laid out, and not yet as wide as the others.
-    Laid(Laid),
+    Laid(Shape<'l>),
 }
 
 /// Where something is.
@@ -110,12 +111,12 @@ const BESIDE: f32 = 0.3;
 const STRIP: f32 = 9.0;
 
 impl Drawn {
-    /// The document that this is the ladder of, on a sheet of so many columns. `title` says what the rung with this
+    /// The document that this is the ladder of, on a sheet of so many columns, which blocks need not keep to. `title` says what the rung with this
     /// number, from 1, is called. A rung that is as it was `before` is not drawn again.
     pub fn canvas(
         &self,
         document: &Document,
-        width: usize,
+        (look, width): (Look, usize),
         title: &dyn Fn(usize) -> String,
         before: Option<&Canvas>,
     ) -> Canvas {
@@ -127,12 +128,12 @@ impl Drawn {
             live: &|_| None,
         };
         let before = before.filter(|before| {
-            let (columns, _, table) = &before.drawn_with;
-            *columns == width && *table == document.table
+            let (known, columns, _, table) = &before.drawn_with;
+            *known == look && *columns == width && *table == document.table
         });
         let known = before.iter().flat_map(|before| &before.rungs);
         let known: BTreeMap<Id, &Strip> = known.map(|strip| (strip.id, strip)).collect();
-        let lay = |shown| Laid::new(&self.ladder, shown, &style);
+        let lay = |shown| Shape::new(&self.ladder, shown, look, &style);
         let rungs = document.rungs.iter().zip(&self.ladder.rungs);
         let rungs = (1..).zip(rungs).map(|(number, (rung, shown))| {
             let of = Of::new(rung, shown, heading(rung, title(number), document));
@@ -146,17 +147,17 @@ impl Drawn {
         let rungs: Vec<Planned<'_>> = rungs.collect();
         let widths = rungs.iter().map(|rung| match &rung.picture {
             Picture::Known(drawn) => drawn.takes,
-            Picture::Laid(laid) => laid.width,
+            Picture::Laid(shape) => shape.columns(),
         });
         let between = Laid::between_rails(widths);
-        let fits = before.is_some_and(|before| before.drawn_with.1 == between);
-        let draw = |of, shown, laid| Arc::new(self.drawing(of, shown, laid, between));
+        let fits = before.is_some_and(|before| before.drawn_with.2 == between);
+        let draw = |of, shown, shape| Arc::new(self.drawing(of, shown, shape, between));
         let strips = rungs.into_iter().map(|Planned { of, shown, picture }| {
             let (id, first) = (of.rung.id, shown.first);
             let (drawn, is_new) = match picture {
                 Picture::Known(drawn) if fits => (drawn, false),
                 Picture::Known(_) => (draw(of, shown, lay(shown)), true),
-                Picture::Laid(laid) => (draw(of, shown, laid), true),
+                Picture::Laid(shape) => (draw(of, shown, shape), true),
             };
             Strip {
                 id,
@@ -176,19 +177,25 @@ impl Drawn {
         Canvas {
             size,
             rungs,
-            drawn_with: (width, between, document.table.clone()),
+            drawn_with: (look, width, between, document.table.clone()),
         }
     }
 
     /// A rung in so many columns between the rails.
-    fn drawing(&self, of: Of, shown: &crate::Rung, laid: Laid, between: usize) -> RungDrawing {
-        let (rung, takes) = (of.rung.id, laid.width);
+    fn drawing(
+        &self,
+        of: Of,
+        shown: &crate::Rung,
+        shape: Shape<'_>,
+        between: usize,
+    ) -> RungDrawing {
+        let (rung, takes) = (of.rung.id, shape.columns());
         let labels = Labels {
             elements: &|index| self.elements[index].0,
             rung: rung.0,
             heading: &of.heading,
         };
-        let sheet = OnSheet::new(&self.ladder, shown, laid, between, &labels);
+        let sheet = OnSheet::new(&self.ladder, shown, shape, between, &labels);
         let mut spots = vec![Spot {
             id: rung,
             area: sheet.area,

@@ -1,10 +1,12 @@
 //! The same drawing as vector graphics: on paper, for a report, or on a screen that shows it live.
 //!
 //! - `picture`: one picture of the whole; `report`: pages of paper
+//! - `blocks`: a rung as a block diagram
 //! - `screen`: a drawing that shows power; `sheet`: a rung that is edited
 //! - `node`: an element of SVG; `page`: what they are all drawn on; `symbol`: the elements; `wires`: what leads to them
 
 mod area;
+mod blocks;
 mod node;
 mod page;
 mod picture;
@@ -17,8 +19,8 @@ mod wires;
 pub use area::Area;
 pub use picture::to_svg;
 pub use report::{Paper, Report, to_report};
-pub use screen::to_screen;
-pub(crate) use sheet::{Labels, OnSheet, tops};
+pub use screen::{to_blocks, to_screen};
+pub(crate) use sheet::{Labels, OnSheet, Shape, tops};
 
 /// A column of the drawing, in units of the page.
 const COLUMN: f32 = 9.0;

@@ -32,6 +32,8 @@ impl Font {
     pub(super) const LETTER: Font = Font::new(SANS, 12.0, true, true, "letter");
     /// Within a box; its width is that of the columns.
     pub(super) const BOXED: Font = Font::new(MONO, 13.5, false, true, "boxed");
+    /// When a block runs.
+    pub(super) const ORDER: Font = Font::new(SANS, 10.0, false, false, "order");
     /// Names, notes and connections.
     pub(super) const NOTE: Font = Font::new(MONO, 13.5, false, false, "note");
 
@@ -108,6 +110,13 @@ impl<'p> Page<'p> {
 
     /// A rung under its heading. What comes next is below it, with a gap between.
     pub(super) fn headed(&mut self, heading: &[String], picture: &Picture) {
+        self.heading(heading);
+        self.rung(picture);
+        self.y += GAP;
+    }
+
+    /// The heading of a rung.
+    pub(super) fn heading(&mut self, heading: &[String]) {
         for (line, text) in heading.iter().enumerate() {
             let font = if line == 0 {
                 &Font::HEADING
@@ -118,8 +127,6 @@ impl<'p> Page<'p> {
             self.y += HEADING;
         }
         self.y += 4.0;
-        self.rung(picture);
-        self.y += GAP;
     }
 
     pub(super) fn text(&mut self, x: f32, y: f32, text: &str, font: &Font) {

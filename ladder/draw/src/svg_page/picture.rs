@@ -19,7 +19,10 @@ pub fn to_svg(
     page.text(MARGIN, page.y + 16.0, about, &Font::TITLE);
     page.y += 40.0;
     for (index, picture) in drawing.rungs.iter().enumerate() {
-        page.headed(&heading(drawing, map, names, title, index), picture);
+        page.headed(
+            &heading(drawing.headed(), map, names, title, index),
+            picture,
+        );
     }
     let width = drawing.width as f32 * COLUMN + 2.0 * MARGIN;
     let height = page.y - GAP + MARGIN;

@@ -10,12 +10,13 @@
 //! A style sheet says how they look; nothing here has a colour.
 
 use super::area::Area;
+use super::blocks::Diagram;
 use super::node::Node;
 use super::page::{Page, of_net};
 use super::{AXIS, COLUMN, GAP, MARGIN, x};
 use crate::listing::{Title, heading};
-use crate::{Drawing, Element, Ladder, Names, Picture, Rung, Symbol};
-use unoclp_checked::SourceMap;
+use crate::{Drawing, Element, Ladder, NARROWEST, Names, Picture, Rung, Style, Symbol};
+use unoclp_checked::{SourceMap, Work};
 
 /// A rung on a screen. Nothing in it says where among others it stands: it is the same wherever that is.
 pub(super) struct Strip {
@@ -38,6 +39,23 @@ impl Strip {
         let mut page = Page::on_screen(ladder, rung, width);
         page.ids = ids;
         page.headed(heading, picture);
+        Strip::drawn(page)
+    }
+
+    /// The same as blocks.
+    pub(super) fn of_blocks(
+        (ladder, rung): (&Ladder, &Rung),
+        heading: &[String],
+        diagram: &Diagram<'_>,
+        ids: Option<&dyn Fn(usize) -> u32>,
+    ) -> Strip {
+        let mut page = Page::on_screen(ladder, rung, 0);
+        page.ids = ids;
+        page.headed_blocks(heading, diagram);
+        Strip::drawn(page)
+    }
+
+    fn drawn(page: Page<'_>) -> Strip {
         Strip {
             group: page.group.set("class", "rung"),
             height: page.y - GAP,
@@ -63,12 +81,49 @@ pub fn to_screen(
     label: &str,
 ) -> String {
     let (ladder, columns) = (drawing.ladder(), drawing.width);
+    let rungs = drawing.rungs.iter().zip(&ladder.rungs).enumerate();
+    let strips = rungs.map(|(index, (picture, rung))| {
+        let heading = heading(drawing.headed(), map, names, title, index);
+        Strip::new((ladder, rung, columns), &heading, picture, None)
+    });
+    screen(ladder, map, label, columns, strips)
+}
+
+/// The same as block diagrams.
+pub fn to_blocks(
+    ladder: &Ladder,
+    style: &Style<'_>,
+    map: &SourceMap,
+    title: Title<'_>,
+    label: &str,
+) -> String {
+    Work::note(|work| work.drawings += 1);
+    let rungs = ladder.rungs.iter();
+    let diagrams: Vec<Diagram<'_>> = rungs
+        .map(|rung| Diagram::new(ladder, rung, style))
+        .collect();
+    let columns = diagrams.iter().map(Diagram::columns).max();
+    let columns = columns.unwrap_or(0).max(NARROWEST);
+    let rungs = ladder.rungs.iter().zip(&diagrams).enumerate();
+    let strips = rungs.map(|(index, (rung, diagram))| {
+        let heading = heading((ladder, columns), map, style.names, title, index);
+        Strip::of_blocks((ladder, rung), &heading, diagram, None)
+    });
+    screen(ladder, map, label, columns + 2, strips)
+}
+
+/// Rungs one below the other.
+fn screen(
+    ladder: &Ladder,
+    map: &SourceMap,
+    label: &str,
+    columns: usize,
+    strips: impl Iterator<Item = Strip>,
+) -> String {
     let mut all = Node::group();
     let mut top = TOP;
     let mut end = top;
-    for (index, (picture, rung)) in drawing.rungs.iter().zip(&ladder.rungs).enumerate() {
-        let heading = heading(drawing, map, names, title, index);
-        let strip = Strip::new((ladder, rung, columns), &heading, picture, None);
+    for (index, (strip, rung)) in strips.zip(&ladder.rungs).enumerate() {
         let mut group = strip
             .group
             .set("data-rung", index + 1)
@@ -103,14 +158,31 @@ pub(super) fn named(
     y: f32,
 ) -> Node {
     let (left, right) = (x(from as f32), x(to as f32));
+    let area = Area {
+        x: left,
+        y: y - AXIS,
+        width: right - left,
+        height: AXIS + 13.0,
+    };
+    named_at(element, rung, symbol, area, y - 15.0)
+}
+
+/// The same of a symbol that takes clicks there, and shows its value at this height.
+pub(super) fn named_at(
+    element: &Element,
+    rung: &Rung,
+    symbol: Node,
+    area: Area,
+    value: f32,
+) -> Node {
     let steps = element.steps.iter().map(|step| step - rung.first);
     let steps: Vec<String> = steps.map(|step| step.to_string()).collect();
-    let area = Node::rectangle()
+    let target = Node::rectangle()
         .set("class", "area")
-        .set("x", left)
-        .set("y", y - AXIS)
-        .set("width", right - left)
-        .set("height", AXIS + 13.0);
+        .set("x", area.x)
+        .set("y", area.y)
+        .set("width", area.width)
+        .set("height", area.height);
     let mut group = symbol
         .set("class", of_net("element", rung.net(element.net)))
         .set("data-steps", steps.join(" "));
@@ -120,9 +192,9 @@ pub(super) fn named(
     if matches!(element.symbol, Symbol::Box { .. }) {
         let value = Node::text("")
             .set("class", "value")
-            .set("x", (left + right) / 2.0)
-            .set("y", y - 15.0);
+            .set("x", area.x + area.width / 2.0)
+            .set("y", value);
         group.add(value);
     }
-    group.with(area)
+    group.with(target)
 }

@@ -5,9 +5,10 @@
 
 use super::GAP;
 use super::area::Area;
+use super::blocks::Diagram;
 use super::screen::{self, Strip, TOP};
 use crate::drawing::Laid;
-use crate::{Ladder, Rung};
+use crate::{Ladder, Look, Rung, Style};
 
 /// A rung, and where everything on it is, from its upper left corner.
 #[derive(Clone, Debug)]
@@ -18,6 +19,29 @@ pub(crate) struct OnSheet {
     pub(crate) area: Area,
     /// Its elements, by their place among all of the ladder, in the order in which they are drawn.
     pub(crate) elements: Vec<(usize, Area)>,
+}
+
+/// A rung that is laid out, and not yet drawn.
+pub(crate) enum Shape<'l> {
+    Ladder(Laid),
+    Blocks(Diagram<'l>),
+}
+
+impl<'l> Shape<'l> {
+    pub(crate) fn new(ladder: &'l Ladder, rung: &Rung, look: Look, style: &Style<'_>) -> Shape<'l> {
+        match look {
+            Look::Ladder => Shape::Ladder(Laid::new(ladder, rung, style)),
+            Look::Blocks => Shape::Blocks(Diagram::new(ladder, rung, style)),
+        }
+    }
+
+    /// The columns that it takes between the rails.
+    pub(crate) fn columns(&self) -> usize {
+        match self {
+            Shape::Ladder(laid) => laid.width,
+            Shape::Blocks(diagram) => diagram.columns(),
+        }
+    }
 }
 
 /// What is known of a rung that is edited.
@@ -35,14 +59,19 @@ impl OnSheet {
     pub(crate) fn new(
         ladder: &Ladder,
         rung: &Rung,
-        laid: Laid,
+        shape: Shape<'_>,
         between: usize,
         labels: &Labels<'_>,
     ) -> OnSheet {
-        let picture = laid.picture(rung, between);
         let columns = between + 2;
-        let rung = (ladder, rung, columns);
-        let strip = Strip::new(rung, labels.heading, &picture, Some(labels.elements));
+        let (heading, ids) = (labels.heading, Some(labels.elements));
+        let strip = match shape {
+            Shape::Ladder(laid) => {
+                let picture = laid.picture(rung, between);
+                Strip::new((ladder, rung, columns), heading, &picture, ids)
+            }
+            Shape::Blocks(diagram) => Strip::of_blocks((ladder, rung), heading, &diagram, ids),
+        };
         OnSheet {
             svg: strip.group.set("data-id", labels.rung).written(),
             area: Area {

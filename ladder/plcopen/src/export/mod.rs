@@ -1,16 +1,16 @@
-//! A document as a project: each rung as contacts, coils and blocks, with the wires between them.
+//! A document as a project: each rung as contacts, coils and blocks, with the wires between them; what they have no form
+//! for, in Instruction List.
 //!
 //! - `xml`: the elements as XML; `names`: the variables
 //! - `draw`: rungs and their wires; `elements`: what stands on them; `counters`, `count`: rungs that are inputs of one block
 //! - `numbers`: loads, operations, comparisons and stores
-//! - `same`: what is written is read again
-//!
-//! What PLCopen XML has no element for is told, rung by rung, and then there is no project.
+//! - `il`: a program in Instruction List; `same`: what is written is read again
 
 mod count;
 mod counters;
 mod draw;
 mod elements;
+mod il;
 mod lost;
 mod names;
 mod numbers;
@@ -19,18 +19,51 @@ mod xml;
 
 pub use lost::Lost;
 
+/// A project.
+#[derive(Clone, Debug)]
+pub struct Exported {
+    /// Its file.
+    pub text: String,
+    /// What no ladder has a form for; where there is any, the program is in Instruction List.
+    pub beyond: Vec<Lost>,
+}
+
 use draw::Draw;
-use same::not_read;
+use names::Variables;
+use same::{not_read, says};
 use unoclp_core::Board;
 use unoclp_draw::edit::Document;
-use xml::escaped;
+pub(crate) use xml::escaped;
 
 /// A document as a project of one program, which goes by this name; [`import`](crate::import) makes the same codes of it. It
 /// says no date of its own.
 ///
 /// # Errors
-/// All that cannot be said.
-pub fn export(document: &Document, name: &str, board: Board) -> Result<String, Vec<Lost>> {
+/// What no project says: a document that is no program.
+pub fn export(document: &Document, name: &str, board: Board) -> Result<Exported, Vec<Lost>> {
+    let beyond = match ladder(document, name, board) {
+        Ok(text) => {
+            let beyond = Vec::new();
+            return Ok(Exported { text, beyond });
+        }
+        Err(beyond) => beyond,
+    };
+    for plain in [false, true] {
+        let body = il::body(document, board, plain);
+        let text = format!(
+            "          <IL>\n            <xhtml:p><![CDATA[{}]]></xhtml:p>\n          </IL>\n",
+            body.text
+        );
+        let text = written(document, name, &body.variables, &text);
+        if says(&text, document, board) {
+            return Ok(Exported { text, beyond });
+        }
+    }
+    Err(beyond)
+}
+
+/// A document as a project in LD.
+fn ladder(document: &Document, name: &str, board: Board) -> Result<String, Vec<Lost>> {
     let mut draw = Draw::new(document);
     let rungs: Vec<_> = document.rungs().collect();
     let mut at = 0;
@@ -40,15 +73,16 @@ pub fn export(document: &Document, name: &str, board: Board) -> Result<String, V
     if !draw.lost.is_empty() {
         return Err(draw.lost);
     }
-    let text = written(document, name, &draw);
+    let body = format!("          <LD>\n{}          </LD>\n", draw.body.text);
+    let text = written(document, name, &draw.variables, &body);
     match not_read(document, &text, board) {
         lost if lost.is_empty() => Ok(text),
         lost => Err(lost),
     }
 }
 
-/// The file of what has been drawn.
-fn written(document: &Document, name: &str, draw: &Draw) -> String {
+/// The file of a project with this body.
+fn written(document: &Document, name: &str, variables: &Variables, body: &str) -> String {
     let title = document.title().join("\n");
     let documentation = match title.is_empty() {
         true => String::new(),
@@ -87,9 +121,7 @@ fn written(document: &Document, name: &str, draw: &Draw) -> String {
 {}          </localVars>
         </interface>
         <body>
-          <LD>
-{}          </LD>
-        </body>
+{body}        </body>
 {documentation}      </pou>
     </pous>
   </types>
@@ -106,7 +138,6 @@ fn written(document: &Document, name: &str, draw: &Draw) -> String {
   </instances>
 </project>
 ",
-        draw.variables.declared(),
-        draw.body.text,
+        variables.declared(),
     )
 }

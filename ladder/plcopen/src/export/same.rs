@@ -24,6 +24,18 @@ pub(crate) fn not_read(document: &Document, text: &str, board: Board) -> Vec<Los
     }]
 }
 
+/// Whether this project comes to the codes of a document.
+pub(crate) fn says(text: &str, document: &Document, board: Board) -> bool {
+    let made = crate::import(text, board).program;
+    let read = made.as_ref().map(|(checked, _)| {
+        let steps = checked.program().steps();
+        steps.flat_map(|step| step.codes()).collect::<Vec<i32>>()
+    });
+    let own = document.codes();
+    let own = own.ok().and_then(|own| own.get(1..).map(<[i32]>::to_vec));
+    read.is_some() && read == own
+}
+
 /// The instructions of a document. A new rung says nothing where one begins by itself, nor does one on which nothing
 /// stands.
 fn instructions(document: &Document) -> Vec<(Id, Vec<i32>)> {

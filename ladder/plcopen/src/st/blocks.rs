@@ -47,15 +47,12 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
     }
 
-    fn call(&mut self, at: usize) -> Option<()> {
-        let network = self.network;
-        let element = &network.elements[at];
-        let place = span(element.node);
-        let instance = element.node.attribute("instanceName").unwrap_or_default();
-        let name = element.node.attribute("typeName").unwrap_or_default();
+    /// The instance that a block calls; none where nothing declares it as one, which is told.
+    pub(super) fn instance(&mut self, at: usize) -> Option<&'a str> {
+        let node = self.network.elements[at].node;
+        let instance = node.attribute("instanceName").unwrap_or_default();
+        let name = node.attribute("typeName").unwrap_or_default();
         let key = instance.to_uppercase();
-        let calls = self.instances.get(&key);
-        let is_called_again = calls.is_some_and(|calls| calls.all.len() > 1);
         match self.variables.get(&key).map(|variable| &variable.kind) {
             None if !instance.contains(['.', '[']) || instance.is_empty() => {
                 self.tell(Code::XmlUndeclared, at, [instance.into()]);
@@ -68,6 +65,16 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             }
             _ => {}
         }
+        Some(instance)
+    }
+
+    fn call(&mut self, at: usize) -> Option<()> {
+        let network = self.network;
+        let element = &network.elements[at];
+        let place = span(element.node);
+        let instance = self.instance(at)?;
+        let calls = self.instances.get(&instance.to_uppercase());
+        let is_called_again = calls.is_some_and(|calls| calls.all.len() > 1);
         let norm = standard(&element.block());
         if let Some(input) = norm.and_then(|norm| self.lacks(at, norm)) {
             self.tell(Code::XmlPin, at, [input.into()]);
@@ -125,7 +132,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     }
 
     /// The name of an output; of a wire that names none, the first.
-    fn output(&self, wire: Wire<'a>) -> &'a str {
+    pub(super) fn output(&self, wire: Wire<'a>) -> &'a str {
         let element = &self.network.elements[wire.from];
         let named = element.outputs.iter().map(|(name, _)| *name);
         let mut named = named.filter(|name| !name.eq_ignore_ascii_case("ENO"));

@@ -220,7 +220,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
 }
 
 /// The sign of an operation of so many operands; none where it is written as a function.
-fn sign(name: &str, operands: usize) -> Option<&'static str> {
+pub(super) fn sign(name: &str, operands: usize) -> Option<&'static str> {
     Some(match (name, operands) {
         ("NOT", 1) => "NOT",
         ("MOVE", 1) => "",
@@ -243,7 +243,7 @@ fn sign(name: &str, operands: usize) -> Option<&'static str> {
 }
 
 /// The place of an input among those of its function: `SEL(G, IN0, IN1)`.
-fn place_of(pin: &str) -> u8 {
+pub(super) fn place_of(pin: &str) -> u8 {
     match pin.to_uppercase().as_str() {
         "G" | "K" | "MN" => 0,
         "N" | "L" | "MX" => 2,

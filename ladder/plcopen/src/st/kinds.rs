@@ -78,6 +78,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             let pin = pins.find(|pin| pin.wires.iter().any(leads));
             match (by.kind, self.own[reader.at]) {
                 ("outVariable" | "inOutVariable", _) => self.of_text(&by.written),
+                (_, What::Function | What::Truth) if is_truth(pin?.name) => Some("BOOL".to_owned()),
                 (_, What::Block | What::Own) => self.member(&by.block(), pin?.name),
                 (_, What::Function) if by.block().contains("_TO_") => {
                     let from = by.block();
@@ -174,4 +175,9 @@ fn wider(one: &str, other: String) -> String {
         .zip(Base::named(&other.to_uppercase()))
         .and_then(|(one, other)| one.common(other));
     common.map_or(other, |base| base.name().to_owned())
+}
+
+/// Whether an input of a function of the norm is a truth, whatever it gives.
+fn is_truth(pin: &str) -> bool {
+    pin.eq_ignore_ascii_case("EN") || pin.eq_ignore_ascii_case("G")
 }

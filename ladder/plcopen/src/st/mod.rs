@@ -1,9 +1,10 @@
-//! Ladder bodies as Structured Text, for what a document of the ladder editor has no element for.
+//! Drawn bodies as Structured Text: function block diagrams, and ladders for which no document has the elements.
 //!
 //! Owns in which order the elements of a body become statements. Must not know what a statement compiles to.
 //!
 //! - `power`: the way of the power to an element, as an expression
 //! - `blocks`: calls of function blocks; `functions`: results of functions
+//! - `fbd`: function block diagrams, which have an order of their own
 //! - `jumps`: what a jump to a label below leaves out
 //! - `kinds`: of which type a result is, where it is stored
 //! - `sentences`: statements as they are written; `units`: what blocks a project has; `what`: what a block is; `wires`:
@@ -13,6 +14,7 @@
 //! scan before. Where an instance is drawn several times, each call keeps what it gave.
 
 mod blocks;
+mod fbd;
 mod functions;
 mod jumps;
 mod kinds;
@@ -45,7 +47,7 @@ pub(crate) struct Written {
     pub pieces: Vec<Piece>,
 }
 
-/// Writes the ladder body of a unit; what is wrong with it is told.
+/// Writes the drawn body of a unit; what is wrong with it is told.
 pub(crate) fn write<'a, 'x: 'a>(
     pou: &Pou<'a, 'x>,
     body: Node<'a, 'x>,
@@ -83,6 +85,9 @@ pub(crate) fn write<'a, 'x: 'a>(
         instances: wires::instances(&network),
         outputs: HashMap::new(),
         labels: wires::labels(&network),
+        kept: Vec::new(),
+        enos: HashMap::new(),
+        shares: shares(&network, units),
         jumps: HashMap::new(),
         known: HashMap::new(),
         enabled: HashMap::new(),
@@ -90,9 +95,14 @@ pub(crate) fn write<'a, 'x: 'a>(
         kinds: HashMap::new(),
         words: HashMap::new(),
         open: Vec::new(),
+        since: 0,
         work: 0,
     };
     body.taken.insert(pou.name.to_uppercase());
+    if network.is_blocks {
+        body.diagram();
+        return body.written();
+    }
     for sink in sinks(&network, &is_block) {
         body.pass_labels(Some(sink));
         if body.sink(sink).is_none() && !body.found.has_errors() {
@@ -103,10 +113,13 @@ pub(crate) fn write<'a, 'x: 'a>(
     for at in (0..network.elements.len()).filter(|at| is_block(&network.elements[*at])) {
         let _ = body.block(at);
     }
-    Written {
-        pieces: body.sentences.pieces(),
-        variables: body.added,
-    }
+    body.written()
+}
+
+/// Whether something that a diagram calls reaches beyond itself.
+fn shares(network: &Network<'_, '_>, units: &Units<'_, '_, '_>) -> bool {
+    let mut blocks = network.elements.iter().filter(|of| of.kind == "block");
+    blocks.any(|block| units.get(&block.block()).is_some_and(fbd::shares))
 }
 
 /// A body as it is written.
@@ -141,6 +154,12 @@ struct Body<'b, 'a, 'x> {
     labels: Vec<usize>,
     /// The variables that say where to jump, by the names of the labels.
     jumps: HashMap<&'a str, String>,
+    /// Of a diagram: the functions whose results stand in variables.
+    kept: Vec<bool>,
+    /// Of a diagram: what ENO of a block says.
+    enos: HashMap<usize, Eno>,
+    /// Whether something that a diagram calls reaches beyond itself.
+    shares: bool,
     known: HashMap<Wire<'a>, Option<Circuit>>,
     /// The ways to EN.
     enabled: HashMap<usize, Option<Circuit>>,
@@ -151,10 +170,28 @@ struct Body<'b, 'a, 'x> {
     /// What the leaves of circuits say.
     words: HashMap<crate::circuit::Key, Vec<Piece>>,
     open: Vec<usize>,
+    /// Of a diagram: how many of these were open when the last block began.
+    since: usize,
     work: usize,
 }
 
+/// What ENO of a block says.
+enum Eno {
+    /// What a variable keeps.
+    Named(String),
+    /// What leads to EN.
+    Said(Vec<Piece>),
+}
+
 impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
+    /// All of it.
+    fn written(self) -> Written {
+        Written {
+            pieces: self.sentences.pieces(),
+            variables: self.added,
+        }
+    }
+
     /// Writes what an element does at which power ends; none where something is wrong, which is told.
     fn sink(&mut self, at: usize) -> Option<()> {
         let network = self.network;
@@ -192,6 +229,9 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
 
     /// What leads to the only input of an element.
     fn condition(&mut self, at: usize, negated: bool) -> Option<Vec<Piece>> {
+        if self.network.is_blocks {
+            return self.asked(at, negated);
+        }
         let circuit = self.input(at, "")?;
         Some(self.said(&circuit, negated))
     }

@@ -260,7 +260,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
 }
 
 /// What is written, so that it may stand beside an operator.
-fn operand(written: &str) -> String {
+pub(super) fn operand(written: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "_.#%[]:".contains(c);
     match written.chars().all(is_plain) {
         true => written.to_owned(),

@@ -87,7 +87,10 @@ fn each_kind_of_size_is_bounded() {
     let rail = r#"<leftPowerRail localId="r"><connectionPointOut/></leftPowerRail>"#;
     let a = r#"<variable name="a" address="%IX0.0"><type><BOOL/></type></variable>"#;
     let many = |count: usize, of: &dyn Fn(usize) -> String| (0..count).map(of).collect::<String>();
+    let value =
+        r#"<inVariable localId="v"><connectionPointOut/><expression>1</expression></inVariable>"#;
     let ladder = |body: String| project(a, &format!("<LD>{rail}{body}</LD>"));
+    let diagram = |body: String| project(a, &format!("<FBD>{value}{body}</FBD>"));
     let element = |kind: &str, id: usize, from: &str, variable: &str| {
         format!(
             r#"<{kind} localId="{id}"><connectionPointIn><connection refLocalId="{from}"/></connectionPointIn><connectionPointOut/><variable>{variable}</variable></{kind}>"#
@@ -99,8 +102,6 @@ fn each_kind_of_size_is_bounded() {
             r#"<variable formalParameter="IN1"><connectionPointIn><connection refLocalId="v"/></connectionPointIn></variable>"#.to_owned()
         })
     };
-    let value =
-        r#"<inVariable localId="v"><connectionPointOut/><expression>1</expression></inVariable>"#;
     let long = "x".repeat(300_000);
     let pairs = |count: usize, back: usize| {
         many(count, &|id| {
@@ -215,6 +216,16 @@ fn each_kind_of_size_is_bounded() {
             element("contact", 1, "r", "a")
                 + &many(4_000, &|id| element("coil", id + 2, "1", "%QX0.0")),
         ),
+        // Diagrams: functions after each other, beside each other, in circles; connectors.
+        diagram(many(3_000, &|id| function(id, id.checked_sub(1))) + &output(2_999)),
+        diagram(many(3_000, &|id| function(id, None) + &output(id))),
+        diagram(many(3_000, &|id| function(id, Some((id + 1) % 3_000))) + &output(0)),
+        diagram(many(8_000, &|id| {
+            format!(
+                r#"<continuation localId="{id}" name="c{id}"/><connector localId="k{id}" name="c{}"><connectionPointIn><connection refLocalId="{id}"/></connectionPointIn></connector>"#,
+                id + 1
+            )
+        })),
         ladder(element("contact", 1, "r", &long) + &element("coil", 2, "1", "%QX0.0")),
     ];
     for (index, text) in texts.iter().enumerate() {

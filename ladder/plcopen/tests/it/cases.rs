@@ -22,7 +22,11 @@ pub(crate) struct Case {
     /// Of the program `Main`.
     #[serde(default)]
     variables: String,
+    #[serde(default)]
     ladder: String,
+    /// In place of a ladder, the elements of a block diagram.
+    #[serde(default)]
+    blocks: String,
     #[serde(default)]
     program: Vec<Program>,
     /// The programs that run, in their order.
@@ -67,7 +71,11 @@ impl Case {
         let ladder = |ladder: &str| format!("<LD>{ladder}</LD>");
         let others = self.program.iter();
         let others = others.map(|p| (&*p.name, &*p.variables, ladder(&p.ladder)));
-        let main = ("Main", &*self.variables, ladder(&self.ladder));
+        let body = match &*self.blocks {
+            "" => ladder(&self.ladder),
+            blocks => format!("<FBD>{blocks}</FBD>"),
+        };
+        let main = ("Main", &*self.variables, body);
         let programs: Vec<_> = [main].into_iter().chain(others).collect();
         let programs: Vec<Pou<'_>> = programs
             .iter()

@@ -4,8 +4,10 @@ mod adapted;
 mod alike;
 mod any_text;
 mod cases;
+mod diagrams;
 mod edited;
 mod no_such_points;
+mod outlined;
 mod round_trip;
 mod texts;
 

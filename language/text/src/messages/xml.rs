@@ -103,10 +103,10 @@ macro_rules! xml_rows {
         "put the label at the head of a rung"
         "{0}: não há um rótulo `{1}`"
         "ponha o rótulo no começo de uma linha";
-    523 XmlLost Error
-        "rung {0}: PLCopen XML has no form for `{1}`"
+    523 XmlLost Warning
+        "rung {0}: a ladder of PLCopen XML has no form for `{1}`; the project is in Instruction List"
         "draw it with the contacts, coils and blocks listed in docs/plcopen.md"
-        "linha {0}: o PLCopen XML não tem forma para `{1}`"
+        "linha {0}: um ladder do PLCopen XML não tem forma para `{1}`; o projeto está em Lista de Instruções"
         "desenhe com os contatos, bobinas e blocos listados em docs/plcopen.pt-BR.md";
     524 XmlNoSink Warning
         "{0}: `{1}` leads to no output"
@@ -168,6 +168,11 @@ macro_rules! xml_rows {
         "declare it among the global variables of the resource, with its address"
         "nenhuma variável global `{0}` está declarada; por isso uma é criada"
         "declare-a entre as variáveis globais do recurso, com o endereço";
+    538 XmlSameName Error
+        "another unit is called `{0}` too: letters of both cases are alike"
+        "rename one of the two"
+        "outra unidade também se chama `{0}`: maiúsculas e minúsculas são iguais"
+        "mude o nome de uma das duas";
         }
     };
 }

@@ -39,8 +39,8 @@ asks! {
     Text "text" { name: String, text: String, board: Board } -> u32;
     /// What there is to say of a text: its problems, or its program.
     Check "check" { version: Version } -> Box<Checked>;
-    /// Its ladder, for a page that shows it live, in so many columns where that is enough.
-    Ladder "ladder" { version: Version, width: Columns, speak: Speak } -> LadderDrawn;
+    /// Its ladder, for a page that shows it live, in so many columns where that is enough; or the same as a block diagram.
+    Ladder "ladder" { version: Version, width: Columns, is_blocks as "isBlocks": Option<bool>, speak: Speak } -> LadderDrawn;
     /// A conversation with a board, which is said to run this text; `core`: this computer runs its programs, and there is no line.
     Open "open" {
         version: Option<Version>, reset: bool, core: Option<bool>, board: Board, address: Option<u8>, rate: Option<u32>,
@@ -146,10 +146,14 @@ asks! {
     MachineClose "machineClose" {} -> ();
     /// The elements that can be drawn.
     Palette "palette" {} -> Vec<Shelf>;
-    /// A drawing, of a text and what was done to it; `name`: what its file is called now.
-    Draw "draw" { base: Text, log: Log, name: Option<String>, board: Board, width: Columns, speak: Speak } -> Box<View>;
+    /// A drawing, of a text and what was done to it; `name`: what its file is called now; `isBlocks`: as a block diagram.
+    Draw "draw" {
+        base: Text, log: Log, name: Option<String>, board: Board, width: Columns, is_blocks as "isBlocks": Option<bool>, speak: Speak
+    } -> Box<View>;
     /// Something done to it; what a page shows of it then.
-    Edit "edit" { act: Option<Below>, name: Option<String>, board: Board, width: Columns, speak: Speak } -> Box<View>;
+    Edit "edit" {
+        act: Option<Below>, name: Option<String>, board: Board, width: Columns, is_blocks as "isBlocks": Option<bool>, speak: Speak
+    } -> Box<View>;
     /// Its text in another form.
     Drawn "drawn" { form as "as": WriteAs } -> String;
     /// What of it has these words in it.

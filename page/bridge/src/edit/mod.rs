@@ -20,6 +20,7 @@ pub use act::acts;
 use serde_json::Value;
 use shown::Shown;
 use unoclp_core::Board;
+use unoclp_draw::Look;
 use unoclp_draw::edit::{
     Canvas, Cursor, Direction, Document, Drawn, Editor, Emitted, Operation, Refusal,
 };
@@ -180,12 +181,12 @@ impl Drawing {
         Ok(())
     }
 
-    /// What a page shows of it in so many columns, under this name of its file; a drawing that it has already is left out.
+    /// What a page shows of it in so many columns, looking so, under this name of its file; a drawing that it has already is left out.
     pub fn view(
         &mut self,
         name: Option<String>,
         board: Board,
-        (width, speak): (usize, Speak),
+        (width, look, speak): (usize, Look, Speak),
         workspace: &mut Workspace,
     ) -> View {
         let (width, lang) = (width.min(WIDEST), Lang::from(speak));
@@ -200,7 +201,7 @@ impl Drawing {
             Some(shown) => shown,
             None => self.look(workspace),
         };
-        let form = (width, lang);
+        let form = (width, look, lang);
         let mut sheet = None;
         if shown.drawn_as != Some(form) {
             let before = self.canvas.as_ref();

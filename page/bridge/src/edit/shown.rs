@@ -1,6 +1,7 @@
 //! What is known of the document that a page has.
 
 use unoclp_core::Board;
+use unoclp_draw::Look;
 use unoclp_draw::edit::{Document, Drawn, Mistake};
 use unoclp_program::Lang;
 use unoclp_program::drawn::Lost;
@@ -14,7 +15,7 @@ pub struct Shown {
     pub name: String,
     pub drawn: Drawn,
     /// How a page has the drawing; none: it has not.
-    pub drawn_as: Option<(usize, Lang)>,
+    pub drawn_as: Option<(usize, Look, Lang)>,
     /// Its text, and the version of that; none where it is not a program.
     pub text: Option<(Version, String)>,
     pub mistakes: Vec<Mistake>,

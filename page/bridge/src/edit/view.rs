@@ -4,8 +4,8 @@ use super::shown::Shown;
 use crate::answer::answer;
 use crate::words::{Both, both};
 use serde::{Serialize, Serializer};
-use unoclp_draw::Area;
 use unoclp_draw::edit::{self, Canvas, Document, Drawn, Editor, Place, Strip};
+use unoclp_draw::{Area, Look};
 use unoclp_edit::{At, wrong};
 use unoclp_program::Lang;
 use unoclp_program::list::title;
@@ -165,11 +165,16 @@ impl View {
 pub fn canvas(
     document: &Document,
     drawn: &Drawn,
-    (width, lang): (usize, Lang),
+    (width, look, lang): (usize, Look, Lang),
     before: Option<&Canvas>,
 ) -> Canvas {
     let title = title(lang);
-    drawn.canvas(document, width, &|number| title(number, None), before)
+    drawn.canvas(
+        document,
+        (look, width),
+        &|number| title(number, None),
+        before,
+    )
 }
 
 impl Sheet {

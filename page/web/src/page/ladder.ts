@@ -5,6 +5,7 @@ import type { Drawn, Live, Seen } from "../tools/answers";
 import { dress, h, put } from "./dom";
 import { keep, kept } from "./kept";
 import { decimal } from "./numbers";
+import { holds } from "./look";
 import { forcedNames } from "./points";
 
 /** CSS pixels beside the drawing. */
@@ -27,6 +28,8 @@ interface Named {
   readonly boxes: readonly (readonly [step: number, Element])[];
   readonly values: readonly (readonly [step: number, Element])[];
   readonly points: readonly (readonly [point: string, Element])[];
+  /** What shows points, whatever the power is: of a block diagram. */
+  readonly seen: readonly (readonly [says: string, Element])[];
 }
 
 type Sheet = NonNullable<Drawn["sheet"]>;
@@ -39,6 +42,7 @@ export class LadderView {
   private readonly boxes = new Map<number, Element>();
   private readonly values = new Map<number, Element>();
   private readonly points = new Map<string, Element[]>();
+  private readonly says = new Map<string, Element[]>();
   private lit = new Set<number>();
   private svg: SVGSVGElement | null = null;
   private zoom = Number(kept("zoom") ?? "0") || FITS[1];
@@ -117,15 +121,16 @@ export class LadderView {
   private find(): void {
     for (const net of this.lit) this.light(net, false);
     this.lit = new Set();
-    for (const map of [this.nets, this.boxes, this.values, this.points]) map.clear();
+    for (const map of [this.nets, this.boxes, this.values, this.points, this.says]) map.clear();
     for (const rung of this.rungs()) {
       const [before, first] = [Number(rung.dataset["nets"]), Number(rung.dataset["first"])];
-      const { nets, boxes, values, points } = this.namedIn(rung);
+      const { nets, boxes, values, points, seen } = this.namedIn(rung);
       // The left rail is the same net in all of them.
       for (const [net, one] of nets) this.add(this.nets, net === 0 ? 0 : before + net, one);
       for (const [step, box] of boxes) this.boxes.set(first + step, box);
       for (const [step, value] of values) this.values.set(first + step, value);
       for (const [point, one] of points) this.add(this.points, point, one);
+      for (const [says, one] of seen) this.add(this.says, says, one);
     }
     this.size();
   }
@@ -137,9 +142,12 @@ export class LadderView {
     const boxes: [number, Element][] = [];
     const values: [number, Element][] = [];
     const points: [string, Element][] = [];
+    const seen: [string, Element][] = [];
     for (const one of rung.querySelectorAll<SVGElement>(".wire, .element")) {
       const net = /\bn(\d+)\b/.exec(one.getAttribute("class") ?? "");
-      if (net) nets.push([Number(net[1]), one]);
+      const says = one.dataset["says"];
+      if (says) seen.push([says, one]);
+      else if (net) nets.push([Number(net[1]), one]);
     }
     for (const element of rung.querySelectorAll<SVGElement>(".element")) {
       const last = Number(element.dataset["steps"]?.split(" ").at(-1));
@@ -150,7 +158,7 @@ export class LadderView {
       const point = element.dataset["point"];
       if (point) points.push([point, element]);
     }
-    const named = { nets, boxes, values, points };
+    const named = { nets, boxes, values, points, seen };
     this.named.set(rung, named);
     return named;
   }
@@ -180,11 +188,15 @@ export class LadderView {
     for (const [step, value] of live.values) put(this.values.get(step), value === null ? "–" : decimal(value));
   }
 
-  /** Marks what is forced. */
+  /** Marks what is forced, and what points show by themselves. */
   forced(seen: Seen | null): void {
     const forced = new Set(seen ? forcedNames(seen) : []);
     for (const [point, elements] of this.points) {
       for (const element of elements) element.classList.toggle("forced", forced.has(point));
+    }
+    for (const [says, elements] of this.says) {
+      const on = seen !== null && holds(says, seen);
+      for (const element of elements) element.classList.toggle("on", on);
     }
   }
 

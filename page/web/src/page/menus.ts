@@ -9,6 +9,7 @@ import type { CardSlot } from "./cardslot";
 import type { ProgramDocument } from "./document";
 import { h } from "./dom";
 import { download, pick } from "./files";
+import { looks } from "./look";
 import { type Row, elementsOf, entry, menu } from "./menu";
 import { note } from "./notes";
 import { isLetter } from "./paper";
@@ -52,6 +53,7 @@ export function menus(root: HTMLElement, parts: Parts): void {
   const field = (say: string, control: HTMLElement): HTMLElement => h("label", { class: "menu-field" }, h("span", { "data-say": say }), control);
   const [language, target] = [field("language", tongue()), field("forBoard", parts.forBoard)];
   const light = theme();
+  const look = looks();
   const learn = (): Row[] => [
     { id: "exercises", say: "exercises", act: () => parts.learn("exercises") },
     { id: "lessons", say: "lessons", act: () => parts.learn("lessons") },
@@ -71,7 +73,7 @@ export function menus(root: HTMLElement, parts: Parts): void {
     { id: "open-trend", say: "tabTrend", act: () => tabs.open("trend") },
     { id: "open-watch", say: "tabWatch", act: () => tabs.open("watch") },
     { id: "open-problems", say: "tabProblems", act: () => tabs.open("problems") },
-    "line", parts.allButtons, light, language,
+    "line", look, parts.allButtons, light, language,
   ];
   root.append(
     menu("fileMenu", null, () => elementsOf(files(parts))), menu("learnMenu", null, () => elementsOf(learn())),

@@ -15,6 +15,7 @@ import { force, liveOf } from "./forcing";
 import { keep, kept } from "./kept";
 import { LadderView } from "./ladder";
 import { later } from "./later";
+import { blocks } from "./look";
 import { note } from "./notes";
 import { pointsOf } from "./points";
 import { countOf, showProblems } from "./problems";
@@ -74,6 +75,7 @@ export class ProgramView {
       this.drawn = null;
       this.show(program.looked.value);
     });
+    blocks.follow(() => this.ladderNow());
     bench.seen.follow(() => this.live());
   }
 
@@ -154,10 +156,10 @@ export class ProgramView {
   }
 
   private async draw({ text }: Looked): Promise<void> {
-    const key = `${speak.value}\n${text.name}\n${text.text}`;
+    const key = `${speak.value}\n${blocks.value}\n${text.name}\n${text.text}`;
     if (key === this.drawn) return;
     this.drawn = key;
-    const { svg, code } = await this.tools.ask("ladder", { of: text, width: 64, speak: speak.value });
+    const { svg, code } = await this.tools.ask("ladder", { of: text, width: 64, isBlocks: blocks.value, speak: speak.value });
     // Another was asked for meanwhile.
     if (key !== this.drawn) return;
     const hides = code && this.asked !== text.name;

@@ -91,8 +91,8 @@ export interface Asks {
   text: { ask: { readonly name: string; readonly text: string; readonly board?: string | undefined }; answer: number };
   /** What there is to say of a text: its problems, or its program. */
   check: { ask: { readonly version: number }; answer: Checked };
-  /** Its ladder, for a page that shows it live, in so many columns where that is enough. */
-  ladder: { ask: { readonly version: number; readonly width: number; readonly speak?: Speak | undefined }; answer: LadderDrawn };
+  /** Its ladder, for a page that shows it live, in so many columns where that is enough; or the same as a block diagram. */
+  ladder: { ask: { readonly version: number; readonly width: number; readonly isBlocks?: boolean | undefined; readonly speak?: Speak | undefined }; answer: LadderDrawn };
   /** A conversation with a board, which is said to run this text; `core`: this computer runs its programs, and there is no line. */
   open: { ask: { readonly version: number | null; readonly reset: boolean; readonly core?: boolean | undefined; readonly board?: string | undefined; readonly address?: number | undefined; readonly rate?: number | undefined; readonly parity?: number | undefined }; answer: number };
   /** A step of it: what has come since the last one, at this time in ms since any moment. */
@@ -145,10 +145,10 @@ export interface Asks {
   machineClose: { ask: object; answer: null };
   /** The elements that can be drawn. */
   palette: { ask: object; answer: readonly Shelf[] };
-  /** A drawing, of a text and what was done to it; `name`: what its file is called now. */
-  draw: { ask: { readonly base: Text; readonly log: readonly Act[]; readonly name?: string | undefined; readonly board?: string | undefined; readonly width: number; readonly speak?: Speak | undefined }; answer: Drawn };
+  /** A drawing, of a text and what was done to it; `name`: what its file is called now; `isBlocks`: as a block diagram. */
+  draw: { ask: { readonly base: Text; readonly log: readonly Act[]; readonly name?: string | undefined; readonly board?: string | undefined; readonly width: number; readonly isBlocks?: boolean | undefined; readonly speak?: Speak | undefined }; answer: Drawn };
   /** Something done to it; what a page shows of it then. */
-  edit: { ask: { readonly act: Act | null; readonly name?: string | undefined; readonly board?: string | undefined; readonly width: number; readonly speak?: Speak | undefined }; answer: Drawn };
+  edit: { ask: { readonly act: Act | null; readonly name?: string | undefined; readonly board?: string | undefined; readonly width: number; readonly isBlocks?: boolean | undefined; readonly speak?: Speak | undefined }; answer: Drawn };
   /** Its text in another form. */
   drawn: { ask: { readonly as: DrawnAs }; answer: string };
   /** What of it has these words in it. */

@@ -134,7 +134,7 @@ const MENUS = Object.fromEntries(Object.entries({
   fileMenu: ["new-file", "open-file", "save-file", "share", "programs", "save-code", "save-drawing", "save-pages", "save-project", "save-card"],
   learnMenu: ["exercises", "lessons", "examples", "machines"],
   boardMenu: ["connect", "put-firmware", "model", "for-board", "open-settings", "open-card-tab", "open-serial", "pause", "scan", "command-run", "show-hardware", "show-faults"],
-  viewMenu: ["all-buttons", "theme", "speak"],
+  viewMenu: ["look-ladder", "look-blocks", "all-buttons", "theme", "speak"],
   drawMore: ["draw-symbols", "draw-find", "draw-texts", "draw-print", "draw-keys", "operate"],
 }).flatMap(([menu, rows]) => rows.map((row) => [`#${row}`, menu])));
 

@@ -20,6 +20,10 @@ const COMMANDS: &[(&str, &str)] = &[
         "Dá um lugar na placa aos pontos de um texto que ela não tem, em uma cópia",
     ),
     (
+        "units",
+        "Mostra as unidades de um projeto em PLCopen XML, com as suas linguagens e variáveis",
+    ),
+    (
         "list",
         "Mostra um programa como diagrama ladder, Lista de Instruções, Texto Estruturado, PLCopen XML ou código numérico com significado",
     ),
@@ -111,6 +115,11 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "adapt",
         "output",
         "Onde escrever a cópia, sobre nada que já exista; sem isto, e com -, na saída padrão",
+    ),
+    (
+        "units",
+        "file",
+        "O projeto em PLCopen XML; - o lê da entrada padrão",
     ),
     (
         "run",

@@ -103,14 +103,16 @@ fn said(refused: &Diagnostic, lang: Lang) -> String {
 
 /// Prints a program as a project in PLCopen XML, or why it is none.
 fn project(program: &Source) -> bool {
-    match listing::plcopen(program) {
-        Ok(text) => print!("{}", harmless_lines(&text)),
-        Err(lost) => {
-            for lost in &lost {
-                eprintln!("{}", lost.text(messages::spoken()));
-            }
-            return false;
-        }
+    let project = listing::plcopen(program);
+    let told = match &project {
+        Ok(project) => &project.beyond,
+        Err(lost) => lost,
+    };
+    for lost in told {
+        eprintln!("{}", lost.text(messages::spoken()));
     }
-    true
+    if let Ok(project) = &project {
+        print!("{}", harmless_lines(&project.text));
+    }
+    project.is_ok()
 }

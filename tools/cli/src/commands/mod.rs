@@ -4,6 +4,7 @@
 //! - `output`: files that are written, and what is not overwritten
 //! - `adapt`: a text of another PLC with its points on this board
 //! - `compile`, `card`: from a text to numeric code, and onto a card
+//! - `units`: what a project is made of
 //! - `list`, `sim`: a program shown, and simulated
 //! - `plant`: a machine alone, and one that a program controls
 //! - `grade`: the programs of a class in an exercise
@@ -46,6 +47,7 @@ mod serve;
 mod settings;
 mod sim;
 mod site;
+mod units;
 mod upload;
 mod wording;
 mod words;
@@ -69,6 +71,7 @@ pub use serve::{Doors, serve};
 pub use settings::{Changes, settings};
 pub use sim::{Run, scenario, simulate};
 pub use site::{OfSite, site};
+pub use units::units;
 pub use upload::{Leave, upload};
 pub use wording::{Wording, boards, langs, language};
 pub use words::{Form, Paper};

@@ -32,18 +32,33 @@ fn a_program_is_listed_as_a_project_and_taken_again_by_every_command() {
 }
 
 #[test]
-fn what_no_project_can_say_is_named_in_both_languages() {
-    let program = file("no-project.txt", "0\n827301\n7370\n877901\n697868\n");
+fn what_no_ladder_of_a_project_has_is_named_and_becomes_instruction_list() {
+    let program = file("no-ladder.txt", "0\n827301\n7370\n877901\n697868\n");
     for (lang, told) in [
-        ("en", "XML-523: rung 1: PLCopen XML has no form for `IF`"),
+        (
+            "en",
+            "XML-523: rung 1: a ladder of PLCopen XML has no form for `IF`",
+        ),
         (
             "pt-BR",
-            "XML-523: linha 1: o PLCopen XML não tem forma para `IF`",
+            "XML-523: linha 1: um ladder do PLCopen XML não tem forma para `IF`",
         ),
     ] {
         let (code, out, errors) = outcome_in(&["list", &program, "--as", "xml"], lang);
-        assert_eq!((code, out.as_str()), (1, ""), "{errors}");
+        assert_eq!(code, 0, "{errors}");
         assert!(errors.contains(told), "{errors}");
+        let project = file("in-list.xml", &out);
+        let codes = outcome(&["compile", &project]).1;
+        let codes: Vec<&str> = codes
+            .lines()
+            .filter_map(|line| line.split('/').next())
+            .collect();
+        let codes: Vec<&str> = codes.iter().map(|code| code.trim()).collect();
+        let codes = codes.into_iter().filter(|code| !code.is_empty());
+        assert_eq!(
+            codes.collect::<Vec<_>>(),
+            ["0", "827301", "7370", "877901", "697868"]
+        );
     }
 }
 
@@ -56,4 +71,25 @@ fn a_file_that_is_no_project_is_told_at_its_line() {
         out.contains("error[XML-501]") && out.contains("broken.xml:3"),
         "{out}"
     );
+}
+
+#[test]
+fn the_units_of_a_project_are_listed_in_the_words_of_the_norm() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../ladder/plcopen/tests/alike/diagrams.xml"
+    );
+    let (code, out, errors) = outcome(&["units", path]);
+    assert_eq!((code, errors.as_str()), (0, ""));
+    for line in [
+        "FUNCTION_BLOCK Latch (FBD)\n  VAR_INPUT go : BOOL\n",
+        "FUNCTION Double : INT (FBD)\n  VAR_INPUT x : INT\n  VAR_INPUT most : INT := 40\n",
+        "PROGRAM main (FBD)\n  VAR i0 AT %IX0.0 : BOOL\n",
+    ] {
+        assert!(out.contains(line), "{line}\n{out}");
+    }
+    let text = file("no-units.il", "LD I1\nST Q1\n");
+    let (code, out, _) = outcome(&["units", &text]);
+    assert_eq!(code, 1);
+    assert!(out.contains("error[XML-501]"), "{out}");
 }

@@ -11,7 +11,7 @@ use unoclp_draw::{Drawing, Ladder, Names, Report, Style, listing, to_report, to_
 use unoclp_lang::{Diagnostic, Lang, instructions_to_il, to_st};
 
 pub use unoclp_draw::Paper;
-pub use unoclp_plcopen::Lost;
+pub use unoclp_plcopen::{Exported, Lost};
 
 /// What a program is listed as.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -71,7 +71,7 @@ pub fn of_line(source: &Source, line: usize, lang: Lang) -> (Vec<String>, usize)
 ///
 /// # Errors
 /// What no project can say.
-pub fn plcopen(source: &Source) -> Result<String, Vec<Lost>> {
+pub fn plcopen(source: &Source) -> Result<Exported, Vec<Lost>> {
     let ladder = Ladder::new(source.program().steps());
     let document = Document::of_steps(source.program().steps());
     let document = document.with_text(&source.map);

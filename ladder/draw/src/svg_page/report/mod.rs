@@ -31,7 +31,10 @@ pub fn to_report(
     let mut pages = Pages::new(report);
     for (index, picture) in drawing.rungs.iter().enumerate() {
         let mut page = Page::new(drawing, 0.0);
-        page.headed(&heading(drawing, map, names, title, index), picture);
+        page.headed(
+            &heading(drawing.headed(), map, names, title, index),
+            picture,
+        );
         let wide = (drawing.width as f32 * COLUMN).max(1.0);
         let high = (page.y - GAP).max(1.0);
         let scale = MILLIMETRES.min(paper.room().0 / wide);

@@ -3,11 +3,11 @@
 use super::operations::operation;
 use unoclp_core::isa::Opcode;
 use unoclp_core::{Board, Loader, Target};
-use unoclp_draw::Area;
 use unoclp_draw::edit::{
     Along, Canvas, Coil, Cursor, Document, Draft, Drawn, Editor, Opening, Operation, Place, Spot,
     Step, Strip,
 };
+use unoclp_draw::{Area, Look};
 use unoclp_point::Address;
 use unoclp_testing::{Random, rounds};
 
@@ -24,7 +24,7 @@ fn document() -> Document {
 
 fn after(document: &Document, before: Option<&Canvas>) -> Canvas {
     let title = |number: usize| format!("Rung {number}");
-    Drawn::of(document).canvas(document, 80, &title, before)
+    Drawn::of(document).canvas(document, (Look::Ladder, 80), &title, before)
 }
 
 fn canvas(document: &Document) -> Canvas {

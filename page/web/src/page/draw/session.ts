@@ -5,6 +5,7 @@ import type { RemoteTools } from "../../tools/remote";
 import { Refusal } from "../../tools/tools";
 import { speak, told } from "../../words/words";
 import { type Drawing, type Looked, type ProgramDocument, isOf } from "../document";
+import { blocks } from "../look";
 import { note } from "../notes";
 import { Signal } from "../signal";
 
@@ -36,9 +37,11 @@ export class Session {
   ) {
     program.looked.follow(() => this.follow());
     tools.begun.add(() => this.begin());
-    speak.follow(() => {
+    const again = (): void => {
       if (this.visible && this.drawn.value) void this.again();
-    });
+    };
+    speak.follow(again);
+    blocks.follow(again);
   }
 
   /** It is on the screen, or no longer. */
@@ -82,16 +85,16 @@ export class Session {
     this.closed.value = null;
   }
 
-  /** Draws it again, in another width or language. */
+  /** Draws it again, in another width, look or language. */
   again(): Promise<void> {
     return this.next(async () => {
       this.drawn.value = await this.tools.ask("edit", { act: null, ...this.shown });
     });
   }
 
-  private get shown(): { name: string; width: number; speak: typeof speak.value } {
+  private get shown(): { name: string; width: number; isBlocks: boolean; speak: typeof speak.value } {
     const { name } = this.program.text.value;
-    return { name, width: this.width(), speak: speak.value };
+    return { name, width: this.width(), isBlocks: blocks.value, speak: speak.value };
   }
 
   /** The tools know no drawing any more: it is opened again, with all that can be undone. */
