@@ -1,0 +1,3 @@
+//! Charts as diagrams.
+
+mod drawn;
