@@ -14,7 +14,7 @@
 //! - `outputs`: the circuits of a network; `effects`: which of them may change places; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
 //! - `adapt`: points that another PLC has, on this board
 //! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces stand in the file; `types`: types
-//!   as it spells them; `st`: ladder bodies as statements, where no document holds them
+//!   as it spells them; `st`: ladder bodies as statements, where no document holds them; `sfc`: charts
 //!
 //! The way out ([`export()`]): `export`.
 //!
@@ -47,6 +47,7 @@ mod program;
 mod project;
 mod rungs;
 mod scope;
+mod sfc;
 mod st;
 mod symbol;
 mod text;
@@ -56,7 +57,7 @@ mod values;
 mod xml;
 
 pub use adapt::adapt;
-pub use export::{Lost, export};
+pub use export::{Lost, export, export_text};
 pub use imported::Imported;
 pub use program::import;
 

@@ -138,7 +138,7 @@ fn way(project: &Project<'_, '_>, found: &mut Found) -> Option<Way> {
         let own = pou.body.map_or("?", |(language, _)| language);
         if all(pou.node, "body").nth(1).is_some() {
             body::refuse(pou, "", "", found);
-        } else if !matches!(own, "LD" | "ST" | "IL") {
+        } else if !matches!(own, "LD" | "ST" | "IL" | "SFC") {
             body::refuse(pou, own, "", found);
         } else {
             languages.push((own, pou));

@@ -204,7 +204,9 @@ impl Document {
 
     /// The number of the action with this name.
     pub fn action(&self, name: &str) -> Option<usize> {
-        self.actions.iter().position(|action| same(&action.name, name))
+        self.actions
+            .iter()
+            .position(|action| same(&action.name, name))
     }
 
     /// The step, to be changed.
@@ -245,10 +247,15 @@ impl Document {
                 *number += usize::from(*number >= at);
             }
         }
-        let place = self.order.iter().position(|(part, _)| *part == Part::Transition(at + 1));
+        let place = self
+            .order
+            .iter()
+            .position(|(part, _)| *part == Part::Transition(at + 1));
         match place {
             // What stands before that one stays with it.
-            Some(place) => self.order.insert(place, (Part::Transition(at), self.new_line())),
+            Some(place) => self
+                .order
+                .insert(place, (Part::Transition(at), self.new_line())),
             None => self.insert(Part::Transition(at), |part| {
                 !matches!(part, Part::Action(_))
             }),
@@ -342,10 +349,16 @@ impl Document {
 /// The last comment of what stands before a part, without its signs, if the part is what it is about.
 fn comment(before: &str) -> String {
     let own = before.trim_end();
-    let is_near = before.get(own.len()..).is_some_and(|rest| rest.matches('\n').count() <= 1);
+    let is_near = before
+        .get(own.len()..)
+        .is_some_and(|rest| rest.matches('\n').count() <= 1);
     let said = match own.strip_suffix("*)") {
         Some(inner) => inner.rsplit_once("(*").map(|(_, said)| said),
-        None => own.lines().next_back().and_then(|line| line.split_once("//")).map(|(_, said)| said),
+        None => own
+            .lines()
+            .next_back()
+            .and_then(|line| line.split_once("//"))
+            .map(|(_, said)| said),
     };
     let said = said.filter(|_| is_near).unwrap_or_default();
     let words: Vec<&str> = said.split_whitespace().collect();
@@ -362,7 +375,9 @@ fn trimmed(body: &str) -> String {
     let lines = || body.lines().filter(|line| !line.trim().is_empty());
     let indent = |line: &str| line.len() - line.trim_start_matches([' ', '\t']).len();
     let least = lines().map(indent).min().unwrap_or(0);
-    let lines = body.lines().map(|line| line.get(least..).unwrap_or_default());
+    let lines = body
+        .lines()
+        .map(|line| line.get(least..).unwrap_or_default());
     let lines: Vec<&str> = lines.collect();
     lines.join("\n").trim_matches('\n').to_owned()
 }
@@ -370,7 +385,11 @@ fn trimmed(body: &str) -> String {
 impl Does {
     /// `valve(N)`, `lamp(L, T#5s)`
     pub fn written(&self) -> String {
-        let Does { action, qualifier, time } = self;
+        let Does {
+            action,
+            qualifier,
+            time,
+        } = self;
         match time {
             Some(time) => format!("{action}({}, {time})", qualifier.name()),
             None => format!("{action}({})", qualifier.name()),

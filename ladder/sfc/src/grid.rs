@@ -56,7 +56,12 @@ impl Grid {
     }
 
     /// The edge of a box.
-    pub(crate) fn edge(&mut self, (x, y): (usize, usize), (columns, rows): (usize, usize), double: bool) {
+    pub(crate) fn edge(
+        &mut self,
+        (x, y): (usize, usize),
+        (columns, rows): (usize, usize),
+        double: bool,
+    ) {
         let (right, low) = (x + columns - 1, y + rows - 1);
         for column in x..=right {
             let arms = match column {

@@ -108,8 +108,12 @@ pub(crate) fn plain(text: &str) -> String {
 /// `5s` of `T#5s`.
 fn seconds(time: &str) -> String {
     let upper = time.to_ascii_uppercase();
-    let prefix = ["TIME#", "T#"].into_iter().find(|prefix| upper.starts_with(prefix));
-    time.get(prefix.map_or(0, str::len)..).unwrap_or(time).to_owned()
+    let prefix = ["TIME#", "T#"]
+        .into_iter()
+        .find(|prefix| upper.starts_with(prefix));
+    time.get(prefix.map_or(0, str::len)..)
+        .unwrap_or(time)
+        .to_owned()
 }
 
 /// A word of a condition, or a sign.
@@ -132,7 +136,10 @@ fn words(text: &str) -> Vec<&str> {
 
 /// A condition with the signs of GRAFCET: `·`, `+`, `¬`, `X3`, `5s/X3`.
 fn grafcet(condition: &str) -> String {
-    let words: Vec<&str> = words(condition).into_iter().filter(|word| *word != " ").collect();
+    let words: Vec<&str> = words(condition)
+        .into_iter()
+        .filter(|word| *word != " ")
+        .collect();
     let mut said = String::new();
     let mut at = 0;
     while let Some(word) = words.get(at).copied() {

@@ -140,7 +140,9 @@ impl<'d> Measure<'d> {
     /// A step as it is called in its box.
     fn named(&self, name: &str) -> String {
         let number = self.document.step(name);
-        number.map_or(name.to_owned(), |number| self.look.step(self.document, number))
+        number.map_or(name.to_owned(), |number| {
+            self.look.step(self.document, number)
+        })
     }
 
     /// What a transition is called where a sequence waits for it: `a, b → c`.
@@ -163,7 +165,9 @@ impl<'d> Measure<'d> {
         let step = self.document.steps.get(number);
         let does = step.into_iter().flat_map(|step| {
             let label = label.as_str();
-            step.does.iter().map(move |does| self.look.action(label, does))
+            step.does
+                .iter()
+                .map(move |does| self.look.action(label, does))
         });
         let does: Vec<(String, String)> = does.collect();
         let half = box_columns(&label) / 2;
@@ -194,7 +198,9 @@ impl<'d> Measure<'d> {
         let said = transition.map_or(String::new(), |of| self.look.condition(of));
         let mut lines = broken(&said);
         if !beside.is_empty() {
-            let names = beside.iter().map(|step| self.look.step(self.document, *step));
+            let names = beside
+                .iter()
+                .map(|step| self.look.step(self.document, *step));
             let names: Vec<String> = names.collect();
             lines.push(format!("← {}", names.join(", ")));
         }
@@ -215,7 +221,11 @@ impl<'d> Measure<'d> {
     fn fork(&self, fork: &'d Fork) -> (Measured<'d>, Room) {
         let column = |branch: &'d Branch| self.column(&branch.parts);
         let branches: Vec<Column<'d>> = fork.branches.iter().map(column).collect();
-        let rows = branches.iter().map(|branch| branch.room.rows).max().unwrap_or(0);
+        let rows = branches
+            .iter()
+            .map(|branch| branch.room.rows)
+            .max()
+            .unwrap_or(0);
         let joins = fork.branches.iter().any(|branch| branch.joins);
         let mut right = 0;
         for (number, branch) in branches.iter().enumerate() {

@@ -144,7 +144,9 @@ impl Maker {
             all.extend(way.parts);
             match way.end {
                 // Whatever else leads there comes from elsewhere.
-                Some(End { goal, .. }) if matches!(goal, Goal::Step(..)) || self.is_complete(goal) => {
+                Some(End { goal, .. })
+                    if matches!(goal, Goal::Step(..)) || self.is_complete(goal) =>
+                {
                     next = Some(goal);
                 }
                 Some(end) => all.push(self.mark(end)),
@@ -159,7 +161,8 @@ impl Maker {
         match goal {
             Goal::Step(step, ..) => !self.drawn[step] && self.come[step] >= self.net.enter[step],
             Goal::Sync(transition) => {
-                !self.passed[transition] && self.waits[transition] >= self.net.from[transition].len()
+                !self.passed[transition]
+                    && self.waits[transition] >= self.net.from[transition].len()
             }
         }
     }
@@ -167,7 +170,9 @@ impl Maker {
     /// Whether nothing leads there but what has come with this end, and jumps.
     fn is_alone(&self, end: &End) -> bool {
         let all = match end.goal {
-            Goal::Step(step, ..) => self.net.enter[step] - self.jumped[step].min(self.net.enter[step]),
+            Goal::Step(step, ..) => {
+                self.net.enter[step] - self.jumped[step].min(self.net.enter[step])
+            }
             Goal::Sync(transition) => {
                 let marked = self.marked.get(&transition).map_or(0, Vec::len);
                 self.net.from[transition].len().saturating_sub(marked)
@@ -267,7 +272,10 @@ impl Maker {
                 Ok(goal) => {
                     let way = self.sequence(goal, deep + 1);
                     parts.extend(way.parts);
-                    Way { parts, end: way.end }
+                    Way {
+                        parts,
+                        end: way.end,
+                    }
                 }
                 Err(end) => Way { parts, end },
             }

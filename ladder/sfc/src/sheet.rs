@@ -2,7 +2,9 @@
 
 use crate::document::Document;
 use crate::look::Look;
-use crate::measure::{BOX, Column, LEAD, Measure, Measured, Room, box_columns, fields, offsets, table_columns};
+use crate::measure::{
+    BOX, Column, LEAD, Measure, Measured, Room, box_columns, fields, offsets, table_columns,
+};
 use crate::outline::Outline;
 use std::fmt;
 use std::str::FromStr;
@@ -218,17 +220,29 @@ impl Sheet {
                     rows,
                 };
                 let lines = lines.clone();
-                self.put(Id::Transition(*number), area, Shape::Transition { axis, lines });
+                self.put(
+                    Id::Transition(*number),
+                    area,
+                    Shape::Transition { axis, lines },
+                );
                 Some(2 * y + 1)
             }
             Measured::Jump(transition, nth, label) => {
                 let area = mark(axis, y, label);
-                self.put(Id::Jump(*transition, *nth), area, Shape::Jump(label.clone()));
+                self.put(
+                    Id::Jump(*transition, *nth),
+                    area,
+                    Shape::Jump(label.clone()),
+                );
                 None
             }
             Measured::Wait(transition, step, label) => {
                 let area = mark(axis, y, label);
-                self.put(Id::Wait(*transition, *step), area, Shape::Wait(label.clone()));
+                self.put(
+                    Id::Wait(*transition, *step),
+                    area,
+                    Shape::Wait(label.clone()),
+                );
                 None
             }
             Measured::Fork { fork, branches } => {

@@ -60,7 +60,10 @@ pub fn svg(
         }
     }
     let drawing = Drawing { document, live };
-    sheet.items.iter().for_each(|item| drawing.item(item, &mut to));
+    sheet
+        .items
+        .iter()
+        .for_each(|item| drawing.item(item, &mut to));
     to.push_str("</g></svg>\n");
     to
 }
@@ -76,12 +79,18 @@ fn y(row: usize) -> f32 {
 /// A line; the double ones are drawn on top of all others.
 fn path(line: Line, to: &mut String) {
     let _ = match line {
-        Line::Down { column, from, to: end } => {
+        Line::Down {
+            column,
+            from,
+            to: end,
+        } => {
             let half = |half: usize| half as f32 * CELL.1 / 2.0;
             write!(to, "M{} {}V{}", x(column), half(from), half(end))
         }
         Line::Across { double: true, .. } => Ok(()),
-        Line::Across { row, from, to: end, .. } => {
+        Line::Across {
+            row, from, to: end, ..
+        } => {
             write!(to, "M{} {}H{}", x(from), y(row), x(end))
         }
     };

@@ -143,7 +143,8 @@ impl<'t> Words<'t> {
     fn until(&self, from: usize, is: impl Fn(Keyword) -> bool) -> usize {
         let last = self.tokens.len().saturating_sub(1);
         let mut rest = from..last;
-        rest.find(|number| is(self.keyword(*number))).unwrap_or(last)
+        rest.find(|number| is(self.keyword(*number)))
+            .unwrap_or(last)
     }
 
     /// What stands from this word to before that one.
@@ -165,10 +166,10 @@ impl<'t> Words<'t> {
         while self.span(from).start < spec.end && from + 1 < self.tokens.len() {
             from += 1;
         }
-        let is_end = |number: &usize| {
-            matches!(self.tokens[*number].kind, Kind::Semicolon | Kind::End)
-        };
-        let first = (from..self.tokens.len()).find(|number| self.tokens[*number].kind == Kind::Assign);
+        let is_end =
+            |number: &usize| matches!(self.tokens[*number].kind, Kind::Semicolon | Kind::End);
+        let first =
+            (from..self.tokens.len()).find(|number| self.tokens[*number].kind == Kind::Assign);
         let first = first.map_or(from, |assign| assign + 1);
         let end = (first..self.tokens.len()).find(is_end);
         self.between(first, end.unwrap_or(first))
@@ -247,7 +248,9 @@ impl<'t> Words<'t> {
         for step in &chart.steps {
             let named = self.number(step.name.at);
             let end = self.until(named, Keyword::ends_part_of_chart);
-            written.steps.push(self.between(named.saturating_sub(1), end + 1));
+            written
+                .steps
+                .push(self.between(named.saturating_sub(1), end + 1));
             let does = step.does.iter().map(|does| Does {
                 action: does.action.clone(),
                 qualifier: does.qualifier,
@@ -281,7 +284,9 @@ impl<'t> Words<'t> {
         for action in &chart.actions {
             let named = self.number(action.name.at);
             let end = self.until(named, Keyword::ends_part_of_chart);
-            written.actions.push(self.between(named.saturating_sub(1), end + 1));
+            written
+                .actions
+                .push(self.between(named.saturating_sub(1), end + 1));
             let colon = self.tokens.get(named + 1).map(|token| token.kind) == Some(Kind::Colon);
             // Comments before the first statement and after the last belong to it.
             let start = self.span(if colon { named + 1 } else { named }).end;

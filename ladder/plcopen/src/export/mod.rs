@@ -3,7 +3,7 @@
 //! - `xml`: the elements as XML; `names`: the variables
 //! - `draw`: rungs and their wires; `elements`: what stands on them; `counters`, `count`: rungs that are inputs of one block
 //! - `numbers`: loads, operations, comparisons and stores
-//! - `same`: what is written is read again
+//! - `same`: what is written is read again; `text`: a text in place of a document
 //!
 //! What PLCopen XML has no element for is told, rung by rung, and then there is no project.
 
@@ -15,9 +15,11 @@ mod lost;
 mod names;
 mod numbers;
 mod same;
+mod text;
 mod xml;
 
 pub use lost::Lost;
+pub use text::export_text;
 
 use draw::Draw;
 use same::not_read;

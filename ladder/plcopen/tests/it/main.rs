@@ -4,6 +4,7 @@ mod adapted;
 mod alike;
 mod any_text;
 mod cases;
+mod charts;
 mod edited;
 mod no_such_points;
 mod round_trip;

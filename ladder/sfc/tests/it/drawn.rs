@@ -9,10 +9,14 @@ use unoclp_testing::chart::sketch;
 /// The texts of `programs/charts`, by their names.
 pub(crate) fn programs() -> BTreeMap<String, String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/charts");
-    let files = fs::read_dir(folder).unwrap().map(|file| file.unwrap().path());
+    let files = fs::read_dir(folder)
+        .unwrap()
+        .map(|file| file.unwrap().path());
     let charts = files.filter(|path| path.extension().is_some_and(|end| end == "st"));
     let name = |path: &Path| path.file_stem().unwrap().to_string_lossy().into_owned();
-    charts.map(|path| (name(&path), fs::read_to_string(&path).unwrap())).collect()
+    charts
+        .map(|path| (name(&path), fs::read_to_string(&path).unwrap()))
+        .collect()
 }
 
 /// Tells what is missing on a sheet, twice on it, or in the way of something else.
@@ -36,17 +40,31 @@ fn check(text: &str, look: Look) -> Document {
         };
         for cell in rows.flat_map(|y| (area.x..area.x + area.columns).map(move |x| (x, y))) {
             let look = || picture(&document, &sheet, None);
-            assert!(cells.insert(cell), "{} stands on another:\n{}", item.id, look());
+            assert!(
+                cells.insert(cell),
+                "{} stands on another:\n{}",
+                item.id,
+                look()
+            );
         }
     }
     for step in 0..document.steps.len() {
-        assert!(seen.contains(&Id::Step(step)), "step {step} is missing:\n{text}");
+        assert!(
+            seen.contains(&Id::Step(step)),
+            "step {step} is missing:\n{text}"
+        );
     }
     for transition in 0..document.transitions.len() {
-        assert!(seen.contains(&Id::Transition(transition)), "{transition} is missing:\n{text}");
+        assert!(
+            seen.contains(&Id::Transition(transition)),
+            "{transition} is missing:\n{text}"
+        );
     }
     let written = svg(&document, &sheet, None, "t", false);
-    assert_eq!(written.matches("class=\"transition\"").count(), document.transitions.len());
+    assert_eq!(
+        written.matches("class=\"transition\"").count(),
+        document.transitions.len()
+    );
     document
 }
 
