@@ -37,6 +37,7 @@ pub(crate) fn compile(
     if found.has_errors() {
         return;
     }
+    imported.charts = unoclp_sfc::Document::all(text);
     imported.code = code;
     let program = made.program;
     imported.program = program.map(|(checked, map)| (checked, written.placed(xml, map)));

@@ -31,6 +31,7 @@ pub fn import(text: &str, board: Board) -> Imported {
         document: None,
         variables: Vec::new(),
         traces: Vec::new(),
+        charts: Vec::new(),
         diagnostics: Told::default(),
     };
     if let Some(tree) = xml::parse(text, &mut found)

@@ -42,7 +42,7 @@ pub struct Step {
     pub does: Vec<Does>,
     /// Its comment, where one stands right before it or at the end of its line.
     pub comment: String,
-    written: Option<String>,
+    pub(crate) written: Option<String>,
 }
 
 /// What a step does.
@@ -69,7 +69,7 @@ pub struct Transition {
     pub to: Vec<String>,
     /// Its condition, as it is written.
     pub condition: String,
-    written: Option<String>,
+    pub(crate) written: Option<String>,
 }
 
 /// An action.
@@ -79,7 +79,7 @@ pub struct Action {
     pub name: String,
     /// Its statements, as they are written.
     pub body: String,
-    written: Option<String>,
+    pub(crate) written: Option<String>,
 }
 
 /// As names are compared.

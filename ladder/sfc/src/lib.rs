@@ -13,13 +13,14 @@
 //! - `net`: its names as numbers; `outline`: sequences, selections and simultaneous sequences, and what is a jump
 //! - `sheet`: where all of it stands; `svg`, `picture`: drawn, as an SVG and of characters; `look`: the words of both norms
 //! - `live`: what is active, and for how long
-
+//! - `edit`: operations, each from a document to a document
 //!
 //! Any chart can be drawn: where lines would cross, a jump names its step, and a transition the steps that it waits for.
 
 #![forbid(unsafe_code)]
 
 mod document;
+pub mod edit;
 mod grid;
 mod live;
 mod look;

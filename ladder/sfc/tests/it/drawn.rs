@@ -20,7 +20,7 @@ pub(crate) fn programs() -> BTreeMap<String, String> {
 }
 
 /// Tells what is missing on a sheet, twice on it, or in the way of something else.
-fn check(text: &str, look: Look) -> Document {
+pub(crate) fn check(text: &str, look: Look) -> Document {
     let mut charts = Document::all(text);
     assert_eq!(charts.len(), 1, "{text}");
     let document = charts.remove(0);
