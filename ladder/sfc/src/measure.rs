@@ -5,6 +5,8 @@ use crate::look::Look;
 use crate::outline::{Branch, Fork, Outline, Part};
 use unicode_width::UnicodeWidthStr;
 
+/// The size of a cell, in the units of a drawing.
+pub(crate) const CELL: (f32, f32) = (8.0, 16.0);
 /// A condition is broken into lines of about so many characters.
 const LINE: usize = 36;
 /// The rows of the box of a step.

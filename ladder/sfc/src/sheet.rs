@@ -120,6 +120,21 @@ pub(crate) enum Shape {
     Wait(String),
 }
 
+impl Item {
+    /// Its middle, in the units of a drawing.
+    pub fn middle(&self) -> (f32, f32) {
+        let (wide, high) = crate::measure::CELL;
+        let Area {
+            x,
+            y,
+            columns,
+            rows,
+        } = self.area;
+        let middle = |from: usize, count: usize| from as f32 + count as f32 / 2.0;
+        (middle(x, columns) * wide, (middle(y, rows) + 0.5) * high)
+    }
+}
+
 /// A line, in halves of cells: it begins and ends in the middle of one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Line {

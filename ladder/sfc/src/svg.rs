@@ -6,12 +6,9 @@
 
 use crate::document::Document;
 use crate::live::{Live, seconds};
-use crate::measure::width;
+use crate::measure::{CELL, width};
 use crate::sheet::{Area, Id, Item, Line, Shape, Sheet};
 use std::fmt::Write as _;
-
-/// The size of a cell, in the units of the drawing.
-pub const CELL: (f32, f32) = (8.0, 16.0);
 
 /// How it looks where no page says so.
 const STYLE: &str = "<style>.sfc text{font:13px 'DejaVu Sans Mono',Consolas,Menlo,monospace;fill:#1a1a1a}\

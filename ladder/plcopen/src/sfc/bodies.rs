@@ -1,9 +1,7 @@
 //! What steps do: actions with their qualifiers, and the bodies of actions.
 
-use super::conditions::{in_language, list};
 use super::net::{Net, Step, named, reference};
-use super::wired::Said;
-use super::{Chart, tell};
+use super::written::{Chart, Said, in_language, list, tell};
 use crate::found::{Found, span};
 use crate::project::{Pou, Variable};
 use crate::st::{self, Units};

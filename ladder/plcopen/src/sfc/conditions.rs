@@ -2,8 +2,8 @@
 
 use super::bodies::Bodies;
 use super::net::{Transition, reference};
-use super::tell;
 use super::wired::Wired;
+use super::written::{in_language, list, tell};
 use crate::found::{Found, span};
 use crate::text::Text;
 use crate::xml::{all, first, says, text};
@@ -119,17 +119,3 @@ impl<'a, 'x: 'a> Bodies<'_, 'a, 'x> {
 }
 
 const NOTHING: (&str, &str) = ("an empty body", "um corpo vazio");
-
-/// What a body is written in.
-pub(super) fn in_language(language: &str) -> Word {
-    (
-        format!("what is in {language}"),
-        format!("o que está em {language}"),
-    )
-        .into()
-}
-
-/// A word of Instruction List that no expression has.
-pub(super) fn list(word: &str) -> Word {
-    (format!("`{word}` in IL"), format!("`{word}` em IL")).into()
-}

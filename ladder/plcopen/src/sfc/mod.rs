@@ -5,7 +5,7 @@
 //!
 //! - `net`: steps, and the transitions between them; `branches`: the divergences and convergences on the way
 //! - `conditions`: the condition of a transition; `wired`: one that contacts and blocks lead to; `bodies`: actions
-//! - `list`: what is written in Instruction List
+//! - `list`: what is written in Instruction List; `written`: what has been written, and what is told
 //!
 //! What is wrong is told by the names of steps and transitions: a number of the file is nothing that a person sees.
 
@@ -15,6 +15,7 @@ mod conditions;
 mod list;
 mod net;
 mod wired;
+mod written;
 
 use crate::found::{Found, span};
 use crate::project::{Pou, Variable};
@@ -23,16 +24,8 @@ use crate::text::Text;
 use bodies::Bodies;
 use net::Net;
 use roxmltree::Node;
-use unoclp_lang::{Code, Diagnostic, Span, Word};
-
-/// A chart as a text.
-#[derive(Default)]
-pub(crate) struct Chart {
-    /// The variables that it needs besides those of its unit, and their types.
-    pub variables: Vec<(String, String, Span)>,
-    /// Its parts.
-    pub text: Text,
-}
+use unoclp_lang::{Code, Word};
+use written::Chart;
 
 /// Writes the chart of a unit; what is wrong with it is told.
 pub(crate) fn write<'a, 'x: 'a>(
@@ -45,7 +38,17 @@ pub(crate) fn write<'a, 'x: 'a>(
     let mut chart = Chart::default();
     let net = Net::read(pou, body, found);
     if net.steps.is_empty() && !found.has_errors() {
-        crate::body::refuse(pou, "?", "", found);
+        let what: Word = ("missing", "vazio").into();
+        let help: Word = (
+            "draw or write what it does",
+            "desenhe ou escreva o que ele faz",
+        )
+            .into();
+        found.tell(
+            Code::XmlBody,
+            pou.node,
+            [pou.name.clone().into(), what, help],
+        );
         return chart;
     }
     let mut bodies = Bodies::new(xml, pou, &net, globals, units);
@@ -68,13 +71,4 @@ pub(crate) fn write<'a, 'x: 'a>(
     bodies.actions(caller.as_deref(), &mut chart, found);
     chart.text.piece("\n", at);
     chart
-}
-
-/// Who a message is about: `Main`, step `S1`.
-type Who = (String, String);
-
-fn tell<const N: usize>(found: &mut Found, code: Code, who: Who, at: Span, words: [Word; N]) {
-    let who = [Word::from(who)];
-    let words: Vec<Word> = who.into_iter().chain(words).collect();
-    found.take(Diagnostic::new(code, at, words));
 }

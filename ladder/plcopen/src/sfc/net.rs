@@ -1,7 +1,7 @@
 //! The steps of a chart, and the transitions between them.
 
 use super::branches::Branches;
-use super::{Who, tell};
+use super::written::{Who, tell};
 use crate::found::{Found, span};
 use crate::project::Pou;
 use crate::text::Text;

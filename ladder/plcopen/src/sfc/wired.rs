@@ -4,6 +4,7 @@
 //! Editor and Beremiz have it; a condition reads what they gave last.
 
 use super::bodies::Bodies;
+use super::written::Said;
 use crate::found::{Found, span};
 use crate::network::{DEEPEST, Network, Wire, edge};
 use crate::xml::says;
@@ -12,8 +13,6 @@ use unoclp_lang::{Code, Span};
 
 /// An expression has no more pieces.
 const LARGEST: usize = 5_000;
-
-pub(super) type Said = Vec<(String, Span)>;
 
 /// What is drawn in a body.
 pub(super) struct Wired<'f, 'b, 'a, 'x> {

@@ -45,6 +45,16 @@ fn comes_back(text: &str, board: Board) -> bool {
     true
 }
 
+/// Projects with charts, an element a line.
+pub(crate) fn charts() -> Vec<String> {
+    let drawn = (0..6).map(|seed| export_text(&sketch(seed).text(seed % 2 == 0), "test"));
+    let wired = "<leftPowerRail localId=\"10\"><connectionPointOut/></leftPowerRail>\n<contact localId=\"12\"><connectionPointIn><connection refLocalId=\"10\"/></connectionPointIn><connectionPointOut/><variable>a</variable></contact>\n";
+    let condition = "<connection refLocalId=\"12\"/>";
+    let valve = action(4, 3, "", "<reference name=\"q\"/>");
+    let wired = project(&(two(condition, &valve) + wired), "");
+    drawn.chain([wired.replace("><", ">\n<")]).collect()
+}
+
 #[test]
 fn the_charts_of_courses_come_back() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/charts");

@@ -1,7 +1,7 @@
 //! What is changed in a chart where it stands.
 
+use super::operation::{Refusal, Side};
 use super::words::{renamed, uses};
-use super::{Refusal, Side};
 use crate::document::{Action, Document, same};
 use crate::sheet::Id;
 use unoclp_chart::Qualifier;

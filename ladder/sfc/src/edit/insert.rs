@@ -1,6 +1,6 @@
 //! What is put into a chart.
 
-use super::Refusal;
+use super::operation::Refusal;
 use super::words::free;
 use crate::document::{Document, Does, Step, Transition, same};
 use crate::sheet::Id;

@@ -1,6 +1,6 @@
 //! What is taken out of a chart, and what goes with it.
 
-use super::Refusal;
+use super::operation::Refusal;
 use crate::document::{Document, same};
 use crate::net::Net;
 use crate::sheet::Id;

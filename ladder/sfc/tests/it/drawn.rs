@@ -84,3 +84,36 @@ fn random_charts_are_drawn() {
         check(&sketch(u64::from(seed)).text(seed % 5 == 0), Look::Norm);
     }
 }
+
+/// A chart of any size is drawn in a time that grows with it; so is one whose branches stand in each other.
+#[test]
+fn large_and_deep_charts_are_drawn() {
+    let row = |steps: usize| {
+        let step = |step: usize| {
+            let word = if step == 0 { "INITIAL_STEP" } else { "STEP" };
+            let to = (step + 1) % steps;
+            format!(
+                "{word} S{step}: y(N); END_STEP\nTRANSITION FROM S{step} TO S{to} := a; END_TRANSITION\n"
+            )
+        };
+        (0..steps).map(step).collect::<String>()
+    };
+    let deep = |steps: usize| {
+        let step = |step: usize| {
+            format!(
+                "STEP S{step}: END_STEP STEP E{step}: END_STEP\nTRANSITION FROM S{step} TO (S{}, E{step}) := a; END_TRANSITION\n",
+                step + 1
+            )
+        };
+        let all: String = (0..steps).map(step).collect();
+        format!(
+            "INITIAL_STEP I: END_STEP STEP S{steps}: END_STEP\nTRANSITION FROM I TO S0 := a; END_TRANSITION\n{all}"
+        )
+    };
+    check(&row(5_000), Look::Norm);
+    check(&deep(1_000), Look::Norm);
+    let wide: String = (0..2_000)
+        .map(|way| format!("STEP W{way}: END_STEP\nTRANSITION FROM I TO W{way} := a; END_TRANSITION\nTRANSITION FROM W{way} TO I := b; END_TRANSITION\n"))
+        .collect();
+    check(&format!("INITIAL_STEP I: END_STEP\n{wide}"), Look::Norm);
+}

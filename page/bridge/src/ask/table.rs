@@ -9,6 +9,8 @@ use crate::board::Step;
 #[cfg(feature = "full")]
 use crate::card::Card;
 #[cfg(feature = "full")]
+use crate::chart::Charted;
+#[cfg(feature = "full")]
 use crate::draw::As;
 use crate::draw::{LadderDrawn, Speak};
 #[cfg(feature = "full")]
@@ -55,7 +57,7 @@ asks! {
 }
 
 /// What takes the module that has everything.
-pub const MORE: [&str; 28] = [
+pub const MORE: [&str; 29] = [
     "list",
     "adapt",
     "pages",
@@ -84,6 +86,7 @@ pub const MORE: [&str; 28] = [
     "edit",
     "drawn",
     "find",
+    "chart",
 ];
 
 #[cfg(feature = "full")]
@@ -155,4 +158,9 @@ asks! {
     Drawn "drawn" { form as "as": String } -> String;
     /// What of it has these words in it.
     Find "find" { words: String } -> Vec<u32>;
+    /// Its charts, in the look of IEC 61131-3 or of GRAFCET; `what` is done `at` a part of one of them, and gives another text.
+    Chart "chart" {
+        version: Version, look: Option<String>, chart: u32, what: Option<String>, at: Option<String>, say: Option<String>,
+        qualifier: Option<String>, time: Option<String>
+    } -> Box<Charted>;
 }

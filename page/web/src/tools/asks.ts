@@ -1,7 +1,7 @@
 // What may be asked of Rust, and what it answers. Made of page/bridge/src/ask/table.rs: do not edit it; the test of
 // page/bridge/src/ask/contract.rs writes it where UPDATE=1 is set.
 
-import type { Act, Adapted, As, BoardFacts, CardImage, Checked, Drawn, Fared, FlashStep, LadderDrawn, MachineFacts, MachineLook, Order, Outcome, Replayed, Searched, Sheet, Shelf, Speak, Step, Text } from "./answers";
+import type { Act, Adapted, As, BoardFacts, CardImage, Charted, Checked, Drawn, Fared, FlashStep, LadderDrawn, MachineFacts, MachineLook, Order, Outcome, Replayed, Searched, Sheet, Shelf, Speak, Step, Text } from "./answers";
 
 export interface Asks {
   /** What a board has: each limit of its points and its memory, so that a page needs to know none. */
@@ -78,4 +78,6 @@ export interface Asks {
   drawn: { ask: { readonly as: string }; answer: string };
   /** What of it has these words in it. */
   find: { ask: { readonly words: string }; answer: readonly number[] };
+  /** Its charts, in the look of IEC 61131-3 or of GRAFCET; `what` is done `at` a part of one of them, and gives another text. */
+  chart: { ask: { readonly version: number; readonly look?: string | undefined; readonly chart: number; readonly what?: string | undefined; readonly at?: string | undefined; readonly say?: string | undefined; readonly qualifier?: string | undefined; readonly time?: string | undefined }; answer: Charted };
 }
