@@ -147,7 +147,7 @@ fn grafcet(condition: &str) -> String {
         let upper = word.to_ascii_uppercase();
         let is = |sign: &str| words.get(at) == Some(&sign);
         match &*upper {
-            "AND" | "&" => said.push_str("·"),
+            "AND" | "&" => said.push('·'),
             "OR" => said.push_str(" + "),
             "NOT" => said.push('¬'),
             "XOR" => said.push_str(" ⊕ "),

@@ -52,6 +52,8 @@ answer! {
         time: String,
         priority: String,
         initial: bool,
+        /// The numbers of the steps that a transition leaves.
+        from: Vec<usize>,
     }
 }
 
@@ -142,6 +144,7 @@ fn part(document: &Document, id: Id, (x, y): (f32, f32)) -> ChartPart {
         time: String::new(),
         priority: String::new(),
         initial: false,
+        from: Vec::new(),
     };
     match id {
         Id::Step(step) => {
@@ -169,6 +172,8 @@ fn part(document: &Document, id: Id, (x, y): (f32, f32)) -> ChartPart {
             };
             if let Some(of) = document.transitions.get(number) {
                 part.text.clone_from(&of.condition);
+                let from = of.from.iter().filter_map(|name| document.step(name));
+                part.from = from.collect();
                 part.priority = of.priority.map_or(String::new(), |of| of.to_string());
                 part.name = match id {
                     Id::Jump(_, nth) => of.to.get(nth).cloned().unwrap_or_default(),

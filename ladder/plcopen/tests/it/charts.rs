@@ -152,7 +152,7 @@ fn two(condition: &str, action: &str) -> String {
 fn of_text(chart: &str) -> Vec<i32> {
     let variables = "a AT %IX1 : BOOL; b AT %IX2 : BOOL; q AT %QX1 : BOOL; n : INT; t : TON;";
     let text = format!("PROGRAM Main VAR {variables} END_VAR {chart} END_PROGRAM");
-    let mut made = compile_text(&text, TextLanguage::St, Board::UNO);
+    let made = compile_text(&text, TextLanguage::St, Board::UNO);
     let file = made.file();
     codes(&file.unwrap_or_else(|| panic!("{:?}\n{text}", made.diagnostics)))
 }

@@ -87,6 +87,46 @@ export interface Case {
   readonly hidden: boolean;
 }
 
+/** A chart. */
+export interface ChartDrawn {
+  /** The unit that it is the body of. */
+  readonly unit: string;
+  /** The element. */
+  readonly svg: string;
+  /** What stands on it, from top to bottom along its lines. */
+  readonly parts: readonly ChartPart[];
+  /** The points of each step: whether it is active, and its time; none while the text is no program. */
+  readonly points: readonly (readonly [string | null, string | null])[];
+}
+
+/** A part of a chart, and what can be changed of it. */
+export interface ChartPart {
+  readonly id: string;
+  readonly kind: string;
+  /** Its middle, in the units of the drawing. */
+  readonly x: number;
+  readonly y: number;
+  /** The step, the action, the step that a jump leads to, or the name of a transition. */
+  readonly name: string;
+  /** A condition, or the body of an action. */
+  readonly text: string;
+  readonly qualifier: string;
+  readonly time: string;
+  readonly priority: string;
+  readonly initial: boolean;
+  /** The numbers of the steps that a transition leaves. */
+  readonly from: readonly number[];
+}
+
+/** The charts of a text. */
+export interface Charted {
+  readonly charts: readonly ChartDrawn[];
+  /** The text after what was done. */
+  readonly text: string | null;
+  /** What is selected then. */
+  readonly select: string | null;
+}
+
 /** What there is to say of a text. */
 export interface Checked {
   /** `il`, `st`, `scl`, `iscl`, `lce`, `numeric`; empty for a text in none of them. */
