@@ -3,6 +3,7 @@
 use crate::found::{Found, span};
 use crate::imported::Imported;
 use crate::project::{Pou, Project, Variable};
+use crate::sfc;
 use crate::st::{self, Units};
 use crate::text::Text;
 use crate::types::{Types, kind};
@@ -36,6 +37,7 @@ pub(crate) fn compile(
     if found.has_errors() {
         return;
     }
+    imported.charts = unoclp_sfc::Document::all(text);
     imported.code = code;
     let program = made.program;
     imported.program = program.map(|(checked, map)| (checked, written.placed(xml, map)));
@@ -76,6 +78,13 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
                 });
                 None
             }
+            Some(("SFC", body)) if own == "ST" => {
+                let chart = sfc::write((xml, pou), body, &project.globals, &units, found);
+                write_pou(&mut written, pou, &chart.variables, found, |to| {
+                    to.add(chart.text)
+                });
+                None
+            }
             other => {
                 refuse(pou, other.map_or("?", |(language, _)| language), own, found);
                 None
@@ -100,19 +109,7 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
 /// Tells that a body cannot be imported, and what it is.
 pub(crate) fn refuse(pou: &Pou<'_, '_>, language: &str, others: &str, found: &mut Found) {
     let (what, help): (Word, Word) = match language {
-        "SFC" => (
-            (
-                "a sequential function chart (SFC)",
-                "um gráfico sequencial (SFC)",
-            )
-                .into(),
-            (
-                "write its steps as a CASE in ST, or draw them as coils that are set and reset in LD",
-                "escreva as etapas como um CASE em ST, ou desenhe-as em LD como bobinas de set e reset",
-            )
-                .into(),
-        ),
-        "IL" | "ST" | "LD" => (
+        "IL" | "ST" | "LD" | "FBD" | "SFC" => (
             (
                 format!("in {language}, but the project is in {others}"),
                 format!("em {language}, mas o projeto está em {others}"),
@@ -122,7 +119,11 @@ pub(crate) fn refuse(pou: &Pou<'_, '_>, language: &str, others: &str, found: &mu
         ),
         "?" => (
             ("missing", "vazio").into(),
-            ("draw or write what it does", "desenhe ou escreva o que ele faz").into(),
+            (
+                "draw or write what it does",
+                "desenhe ou escreva o que ele faz",
+            )
+                .into(),
         ),
         "" => (
             ("on several sheets", "dividido em várias folhas").into(),
@@ -130,7 +131,11 @@ pub(crate) fn refuse(pou: &Pou<'_, '_>, language: &str, others: &str, found: &mu
         ),
         other => (
             other.into(),
-            ("write it in ST, or draw it in LD", "escreva-o em ST, ou desenhe-o em LD").into(),
+            (
+                "write it in ST, or draw it in LD",
+                "escreva-o em ST, ou desenhe-o em LD",
+            )
+                .into(),
         ),
     };
     found.tell(

@@ -17,6 +17,8 @@ pub struct Imported {
     pub variables: Vec<Variable>,
     /// What the lines of such a project show of a scan.
     pub traces: Vec<Trace>,
+    /// Its charts.
+    pub charts: Vec<unoclp_sfc::Document>,
     /// What was found in the project.
     pub diagnostics: Told,
 }

@@ -15,7 +15,7 @@
 //! - `outline`: its units and their variables, as a tree; `alter`: one of these changed in the file
 //! - `adapt`: points that another PLC has, on this board
 //! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces stand in the file; `types`: types
-//!   as it spells them; `st`: ladder bodies as statements, where no document holds them
+//!   as it spells them; `st`: ladder bodies as statements, where no document holds them; `sfc`: charts
 //!
 //! The way out ([`export()`]): `export`.
 //!
@@ -50,6 +50,7 @@ mod program;
 mod project;
 mod rungs;
 mod scope;
+mod sfc;
 mod st;
 mod symbol;
 mod text;
@@ -60,7 +61,7 @@ mod xml;
 
 pub use adapt::adapt;
 pub use alter::{Change, alter};
-pub use export::{Exported, Lost, export};
+pub use export::{Exported, Lost, export, export_text};
 pub use imported::Imported;
 pub use outline::{Outline, Row, Unit, outline};
 pub use program::import;

@@ -31,6 +31,7 @@ pub fn import(text: &str, board: Board) -> Imported {
         document: None,
         variables: Vec::new(),
         traces: Vec::new(),
+        charts: Vec::new(),
         diagnostics: Told::default(),
     };
     if let Some(tree) = xml::parse(text, &mut found)
@@ -138,7 +139,7 @@ fn way(project: &Project<'_, '_>, found: &mut Found) -> Option<Way> {
         let own = pou.body.map_or("?", |(language, _)| language);
         if all(pou.node, "body").nth(1).is_some() {
             body::refuse(pou, "", "", found);
-        } else if !matches!(own, "LD" | "FBD" | "ST" | "IL") {
+        } else if !matches!(own, "LD" | "FBD" | "ST" | "IL" | "SFC") {
             body::refuse(pou, own, "", found);
         } else {
             languages.push((own, pou));

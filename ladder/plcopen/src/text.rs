@@ -39,6 +39,15 @@ impl Text {
         self.text.push_str(text);
     }
 
+    /// A text after this one.
+    pub(crate) fn add(&mut self, other: Text) {
+        let before = self.text.len() as u32;
+        let pieces = other.pieces.into_iter();
+        self.pieces
+            .extend(pieces.map(|(first, from, alike)| (before + first, from, alike)));
+        self.text.push_str(&other.text);
+    }
+
     /// Where a byte of the text stands in the XML.
     fn place(&self, byte: u32) -> (u32, bool, Span) {
         let behind = self.pieces.partition_point(|(first, ..)| *first <= byte);

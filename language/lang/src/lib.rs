@@ -21,6 +21,7 @@ pub use languages::{CheckedText, TextLanguage, check, colours, compile, compile_
 pub use unoclp_codegen::{CodeLine, CompiledText, Held, Holding, Shows, Trace, Variable, literal};
 pub use unoclp_il::{Declared, DeclaredPoint, declared, is_operator};
 pub use unoclp_reverse::{instructions_to_il, spelled, to_il, to_st};
+pub use unoclp_st::outline;
 pub use unoclp_st::{Condition, Judge, brought, condition, is_brought, is_name};
 pub use unoclp_text::literal::duration;
 pub use unoclp_text::moved::{Adapted, adapt_at};

@@ -14,7 +14,7 @@
 //! - `start`: the program that a page begins with
 //! - `tell`: problems, with their places
 //! - `draw`: ladders and lists; `adapt`: a text with its points on this board
-//! - `edit`: a program that a person draws
+//! - `edit`: a program that a person draws; `chart`: charts, drawn and changed
 //! - `exercise`: scenarios as checks of a student's program
 //! - `card`: images of cards
 //! - `machine`: a machine beside the board
@@ -37,6 +37,8 @@ mod board;
 mod call;
 #[cfg(feature = "full")]
 mod card;
+#[cfg(feature = "full")]
+mod chart;
 mod clock;
 mod draw;
 #[cfg(feature = "full")]

@@ -7,7 +7,7 @@ use crate::edit::{Act, Drawing};
 use crate::machine::{self, Machine};
 use crate::program::{known, source};
 use crate::words::{self, No, both};
-use crate::{assist, card, draw, exercise, replay};
+use crate::{assist, card, chart, draw, exercise, replay};
 use unoclp_program::Written;
 use unoclp_workspace::Workspace;
 
@@ -193,6 +193,28 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<Answer, No> {
             )))
         }
         More::Drawn { form } => Answer::Drawn(drawing(boards)?.0.text(form)?),
+        More::Chart {
+            version,
+            look,
+            chart,
+            what,
+            at,
+            say,
+            qualifier,
+            time,
+        } => {
+            let act = what.map(|what| chart::Act {
+                chart,
+                what,
+                at: at.unwrap_or_default(),
+                say: say.unwrap_or_default(),
+                qualifier: qualifier.unwrap_or_default(),
+                time: time.unwrap_or_default(),
+            });
+            let text = known(version, workspace)?;
+            let charted = chart::charted(&text, look.as_deref().unwrap_or_default(), act)?;
+            Answer::Chart(Box::new(charted))
+        }
         More::Find { words } => Answer::Find(drawing(boards)?.0.find(&words)),
         More::Complete { version, at, speak } => {
             Answer::Complete(assist::complete(&*known(version, workspace)?, at, speak))

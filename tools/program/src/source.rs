@@ -13,6 +13,7 @@ use unoclp_core::{Board, Fault, Program};
 use unoclp_draw::{Ladder, Names};
 use unoclp_lang::{Dialect, Holding, TextLanguage, Told, Trace, Variable};
 use unoclp_point::Kind;
+use unoclp_sfc::Document as Chart;
 
 /// A program that has been read, compiled and checked: only [`Written::check`](crate::Written::check) and its like make one.
 #[derive(Debug)]
@@ -34,6 +35,8 @@ pub struct Source {
     pub variables: Vec<Variable>,
     /// What its lines show of a scan, where its language has statements.
     pub traces: Vec<Trace>,
+    /// Its charts.
+    pub charts: Vec<Chart>,
     /// The program.
     pub checked: Checked,
 }

@@ -152,6 +152,7 @@ impl Written {
             map,
             variables: Vec::new(),
             traces: Vec::new(),
+            charts: Vec::new(),
             checked,
         })
     }
@@ -190,6 +191,7 @@ impl Written {
             map,
             variables: Vec::new(),
             traces: Vec::new(),
+            charts: Vec::new(),
             checked,
         })
     }
@@ -216,6 +218,7 @@ impl Written {
             map,
             variables: made.variables,
             traces: made.traces,
+            charts: made.charts,
             checked,
         })
     }
@@ -234,6 +237,10 @@ impl Written {
                 diagnostics: warnings,
             });
         };
+        let charts = match language == TextLanguage::St {
+            true => unoclp_sfc::Document::all(&text),
+            false => Vec::new(),
+        };
         Ok(Source {
             name: self.name,
             text,
@@ -246,6 +253,7 @@ impl Written {
             map,
             variables,
             traces,
+            charts,
             checked,
         })
     }

@@ -4,7 +4,7 @@
 //! - `xml`: the elements as XML; `names`: the variables
 //! - `draw`: rungs and their wires; `elements`: what stands on them; `counters`, `count`: rungs that are inputs of one block
 //! - `numbers`: loads, operations, comparisons and stores
-//! - `il`: a program in Instruction List; `same`: what is written is read again
+//! - `il`: a program in Instruction List; `same`: what is written is read again; `text`: a text in place of a document
 
 mod count;
 mod counters;
@@ -15,9 +15,11 @@ mod lost;
 mod names;
 mod numbers;
 mod same;
+mod text;
 mod xml;
 
 pub use lost::Lost;
+pub use text::export_text;
 
 /// A project.
 #[derive(Clone, Debug)]

@@ -2,6 +2,7 @@
 
 use crate::alike::projects;
 use crate::cases::{Case, cases};
+use crate::charts::charts;
 use crate::project;
 use unoclp_core::Board;
 use unoclp_host_sim::random::Random;
@@ -11,6 +12,7 @@ use unoclp_plcopen::import;
 fn mutated_projects_are_told_or_imported() {
     let mut texts: Vec<String> = cases().iter().map(Case::text).collect();
     texts.extend(projects().into_iter().map(|(_, project, _)| project));
+    texts.extend(charts());
     let mut random = Random::new(18);
     let mut imported = 0;
     for _ in 0..unoclp_testing::rounds(2_000) {
@@ -45,6 +47,41 @@ fn mutated_projects_are_told_or_imported() {
         imported += u32::from(made.program.is_some());
     }
     assert!(imported > 0);
+}
+
+/// Branches that stand in each other, and a circle of them.
+#[test]
+fn charts_of_branches_without_steps_end() {
+    let branch = |id: usize, from: &[usize]| {
+        let lines: String = from
+            .iter()
+            .map(|id| {
+                format!(r#"<connectionPointIn><connection refLocalId="{id}"/></connectionPointIn>"#)
+            })
+            .collect();
+        format!(
+            r#"<selectionConvergence localId="{id}">{lines}<connectionPointOut/></selectionConvergence>"#
+        )
+    };
+    let first = r#"<step localId="0" name="S" initialStep="true"><connectionPointOut/></step>"#;
+    let row: String = (1..3_000)
+        .map(|id| branch(id, &[id - 1, id.saturating_sub(2)]))
+        .collect();
+    let circle = branch(1, &[2]) + &branch(2, &[1]);
+    for (branches, last) in [(row, 2_999), (circle, 2)] {
+        let ends: String = (0..200)
+            .map(|id| format!(
+                r#"<transition localId="{}"><connectionPointIn><connection refLocalId="{last}"/></connectionPointIn><connectionPointOut/><condition><reference name="x"/></condition></transition>"#,
+                10_000 + id
+            ))
+            .collect();
+        let made = import(
+            &project("", &format!("<SFC>{first}{branches}{ends}</SFC>")),
+            Board::UNO,
+        );
+        assert!(made.program.is_none());
+        assert!(!made.diagnostics.is_empty());
+    }
 }
 
 #[test]

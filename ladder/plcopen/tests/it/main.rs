@@ -5,6 +5,7 @@ mod alike;
 mod any_text;
 mod cases;
 mod diagrams;
+mod charts;
 mod edited;
 mod no_such_points;
 mod outlined;

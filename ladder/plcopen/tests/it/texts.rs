@@ -147,11 +147,6 @@ fn messages_name_the_rung_and_the_element() {
 fn what_a_body_is_drawn_in_is_told_with_what_to_do() {
     for (body, en, pt, help) in [
         (
-            "<SFC/>",
-            "the body of `Main` is a sequential function chart (SFC), which cannot be imported",
-            "o corpo de `Main` é um gráfico sequencial (SFC), que não pode ser importado",
-            "write its steps as a CASE in ST, or draw them as coils that are set and reset in LD",
-        ),
         (
             "<ST/></body><body><ST/>",
             "the body of `Main` is on several sheets, which cannot be imported",

@@ -173,6 +173,26 @@ macro_rules! xml_rows {
         "rename one of the two"
         "outra unidade também se chama `{0}`: maiúsculas e minúsculas são iguais"
         "mude o nome de uma das duas";
+    540 XmlMacro Error
+        "{0}: a macro step cannot be imported"
+        "draw its steps in the chart itself"
+        "{0}: uma macroetapa não pode ser importada"
+        "desenhe as etapas dela no próprio SFC";
+    541 XmlUnjoined Error
+        "{0}: no step {1}"
+        "draw the line to a step, or remove it"
+        "{0}: nenhuma etapa {1}"
+        "desenhe a linha até uma etapa, ou remova-a";
+    542 XmlCondition Error
+        "{0}: {1} cannot be imported as a condition"
+        "write the condition as an expression in ST"
+        "{0}: {1} não pode ser importado como condição"
+        "escreva a condição como uma expressão em ST";
+    543 XmlAction Error
+        "{0}: {1} cannot be imported as the body of an action"
+        "write what the action does in ST"
+        "{0}: {1} não pode ser importado como corpo de uma ação"
+        "escreva em ST o que a ação faz";
         }
     };
 }

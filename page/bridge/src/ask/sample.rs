@@ -15,6 +15,7 @@ use unoclp_testing::{Random, rounds};
 const MOTOR: &str = include_str!("../../../../programs/plants/motor.toml");
 const FIND: &str = include_str!("../../../../programs/exercises/find/01-motor.toml");
 const EXERCISE: &str = include_str!("../../../../programs/exercises/01-contacts.toml");
+const CHART: &str = include_str!("../../../../programs/charts/filling.st");
 const HEX: &str = include_str!("../../../../firmware/unoclp-uno.hex");
 
 /// A page that asks.
@@ -113,6 +114,13 @@ impl Page {
             }
             ("rename", "at") => json!(14),
             ("rename", "to") => json!("motor"),
+            ("chart", "chart") => json!(0),
+            ("chart", "at") => self.any(&["s0", "s1", "t0", "j1.0"].map(Value::from)),
+            ("chart", "what") => return None,
+            ("chart", "version") => {
+                let text = json!({ "ask": "text", "name": "c.st", "text": CHART });
+                self.ok(&text)
+            }
             (_, "version") => {
                 let text = json!({ "ask": "text", "name": program.0, "text": program.1 });
                 self.ok(&text)

@@ -11,6 +11,8 @@ use crate::board::Step;
 #[cfg(feature = "full")]
 use crate::card::Card;
 #[cfg(feature = "full")]
+use crate::chart::Charted;
+#[cfg(feature = "full")]
 use crate::draw::As;
 use crate::draw::{LadderDrawn, Speak};
 #[cfg(feature = "full")]
@@ -57,7 +59,7 @@ asks! {
 }
 
 /// What takes the module that has everything.
-pub const MORE: [&str; 31] = [
+pub const MORE: [&str; 32] = [
     "list",
     "adapt",
     "pages",
@@ -89,6 +91,7 @@ pub const MORE: [&str; 31] = [
     "rename",
     "form",
     "remedies",
+    "chart",
 ];
 
 #[cfg(feature = "full")]
@@ -170,4 +173,9 @@ asks! {
     Form "form" { version: Version } -> Vec<Change>;
     /// What can be done about the mistakes between two places.
     Remedies "remedies" { version: Version, from: usize, to: usize, speak: Speak } -> Vec<Mended>;
+    /// Its charts, in the look of IEC 61131-3 or of GRAFCET; `what` is done `at` a part of one of them, and gives another text.
+    Chart "chart" {
+        version: Version, look: Option<String>, chart: u32, what: Option<String>, at: Option<String>, say: Option<String>,
+        qualifier: Option<String>, time: Option<String>
+    } -> Box<Charted>;
 }

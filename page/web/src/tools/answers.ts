@@ -87,11 +87,44 @@ export interface Case {
   readonly hidden: boolean;
 }
 
-/** A change of a text. */
-export interface Change {
-  readonly from: number;
-  readonly to: number;
-  readonly insert: string;
+/** A chart. */
+export interface ChartDrawn {
+  /** The unit that it is the body of. */
+  readonly unit: string;
+  /** The element. */
+  readonly svg: string;
+  /** What stands on it, from top to bottom along its lines. */
+  readonly parts: readonly ChartPart[];
+  /** The points of each step: whether it is active, and its time; none while the text is no program. */
+  readonly points: readonly (readonly [string | null, string | null])[];
+}
+
+/** A part of a chart, and what can be changed of it. */
+export interface ChartPart {
+  readonly id: string;
+  readonly kind: string;
+  /** Its middle, in the units of the drawing. */
+  readonly x: number;
+  readonly y: number;
+  /** The step, the action, the step that a jump leads to, or the name of a transition. */
+  readonly name: string;
+  /** A condition, or the body of an action. */
+  readonly text: string;
+  readonly qualifier: string;
+  readonly time: string;
+  readonly priority: string;
+  readonly initial: boolean;
+  /** The numbers of the steps that a transition leaves. */
+  readonly from: readonly number[];
+}
+
+/** The charts of a text. */
+export interface Charted {
+  readonly charts: readonly ChartDrawn[];
+  /** The text after what was done. */
+  readonly text: string | null;
+  /** What is selected then. */
+  readonly select: string | null;
 }
 
 /** What there is to say of a text. */
@@ -184,6 +217,23 @@ export interface Field {
   readonly kind: "point" | "value" | "number" | "name";
 }
 
+/** A step of it. */
+export interface FlashStep {
+  /** First reset the board, and throw away what has come before. */
+  readonly reset: boolean;
+  /** Then send this. */
+  readonly send: readonly number[];
+  /** The next step comes at this time, in whole ms, or as soon as bytes have come. */
+  readonly until: number;
+  readonly stage: "meeting" | "writing" | "comparing" | "finishing";
+  /** So many requests of so many have been answered. */
+  readonly progress: readonly [number, number];
+  /** Whether it is over. */
+  readonly over: boolean;
+  /** Why the firmware is not on the board. */
+  readonly failure: Both | null;
+}
+
 /** A program that is to be written in another language. */
 export interface GivenProgram {
   readonly text: string;
@@ -211,8 +261,6 @@ export interface Hand {
 export interface LadderDrawn {
   /** The element. */
   readonly svg: string;
-  /** Whether it is the code of a compiler, which no person would draw. */
-  readonly code: boolean;
 }
 
 /** What is shown live. */
@@ -282,22 +330,6 @@ export interface Made {
   readonly lacking: Both | null;
 }
 
-/** What a word stands for. */
-export interface Meant {
-  readonly from: number;
-  readonly to: number;
-  readonly head: string;
-  readonly lines: readonly string[];
-  /** The variable or point whose live value it is. */
-  readonly value: string | null;
-}
-
-/** A way to mend a mistake. */
-export interface Mended {
-  readonly title: string;
-  readonly changes: readonly Change[];
-}
-
 /** A mistake. */
 export interface Mistake {
   readonly at: number | null;
@@ -326,8 +358,6 @@ export type News =
   | { readonly news: "sent"; readonly order: number; readonly bytes: number; readonly of: number }
   /** The board stores what was uploaded. */
   | { readonly news: "storing"; readonly order: number }
-  /** So many requests of so many have been answered on the way of a firmware. */
-  | { readonly news: "flashing"; readonly order: number; readonly done: number; readonly of: number }
   /** What the board keeps since an upload. */
   | ({ readonly news: "stored" } & Stored)
   /** What the board keeps for its next start. */
@@ -336,23 +366,6 @@ export type News =
   | { readonly news: "done"; readonly order: number; readonly said: Both | null }
   /** Something ordered was not done, and why. */
   | { readonly news: "undone"; readonly order: number; readonly why: Both };
-
-/** Something that may stand there. */
-export interface Offer {
-  readonly label: string;
-  readonly kind: "variable" | "property" | "function" | "type" | "enum" | "constant" | "keyword";
-  /** Its type, or what it takes. */
-  readonly detail: string;
-  /** What is written, where that is not the label. */
-  readonly insert: string | null;
-}
-
-/** What may stand at a place. */
-export interface Offers {
-  /** Where the word begins that is written there, units of UTF-16 from the beginning of the text. */
-  readonly from: number;
-  readonly offers: readonly Offer[];
-}
 
 /** What came of a check. */
 export interface Outcome {
@@ -517,13 +530,7 @@ export interface Size {
 
 /** A step of a conversation. */
 export interface Step {
-  /** How bytes are sent from now on, bits per second, */
-  readonly rate: number;
-  /** and 0 without parity, 1 even, 2 odd. */
-  readonly parity: number;
-  /** First reset the board, and throw away what has come before. */
-  readonly reset: boolean;
-  /** Then send this. */
+  /** To be sent now. */
   readonly send: readonly number[];
   /** The next step comes at this time, in whole ms, or as soon as bytes have come or something is ordered. */
   readonly until: number;
@@ -553,16 +560,6 @@ export interface Unmet {
   /** ms after the first scan. */
   readonly from: number;
   readonly to: number;
-}
-
-/** A place at which a name is used. */
-export interface UsedAt {
-  /** From 1. */
-  readonly line: number;
-  readonly from: number;
-  readonly to: number;
-  readonly declares: boolean;
-  readonly writes: boolean;
 }
 
 /** The numbers that it names. */

@@ -31,12 +31,20 @@ pub fn list(
     picture: Option<Picture<'_>>,
     width: usize,
 ) -> Outcome {
-    if picture.is_some() && form != Form::Ladder {
-        bail!(messages::svg_is_a_ladder());
+    let look = form.look();
+    match &picture {
+        Some(_) if form != Form::Ladder && look.is_none() => bail!(messages::svg_is_a_ladder()),
+        Some(picture) if picture.paper.is_some() && look.is_some() => {
+            bail!(messages::paper_is_a_ladder())
+        }
+        _ => {}
     }
     let Some(program) = open(path, wording, Shown::Here)? else {
         return Ok(false);
     };
+    if let Some(look) = look {
+        return charts(path, &program, look, picture.as_ref());
+    }
     if let Some(picture) = picture {
         return draw(path, &program, &picture, width);
     }
@@ -49,8 +57,36 @@ pub fn list(
     match form {
         Form::Ladder => print!("{}", ascii::picture(&listing)),
         // These are programs, whose characters stay as they are.
-        Form::Il | Form::St | Form::Numeric | Form::Xml => print!("{}", harmless_lines(&listing)),
+        _ => print!("{}", harmless_lines(&listing)),
     }
+    Ok(true)
+}
+
+/// Shows the charts of a program, or draws the first into a file.
+fn charts(
+    path: &Path,
+    program: &Source,
+    look: listing::Look,
+    picture: Option<&Picture<'_>>,
+) -> Outcome {
+    let Some(picture) = picture else {
+        let Some(charts) = listing::charts(program, look) else {
+            bail!(messages::no_chart());
+        };
+        print!("{}", ascii::picture(&charts));
+        return Ok(true);
+    };
+    let Some(svg) = listing::chart_svg(program, look) else {
+        bail!(messages::no_chart());
+    };
+    write(
+        picture.file,
+        svg.into_bytes(),
+        Kind::Drawing,
+        &[path],
+        picture.over,
+    )?;
+    println!("{}", messages::drawn(shown(picture.file)));
     Ok(true)
 }
 

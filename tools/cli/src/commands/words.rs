@@ -73,12 +73,26 @@ pub enum Form {
     St,
     /// Numeric code, each line with its letters and its meaning
     Numeric,
+    /// Its charts, as IEC 61131-3 draws them
+    Sfc,
+    /// Its charts, as GRAFCET (IEC 60848) draws them
+    Grafcet,
     /// A project in PLCopen XML, for OpenPLC Editor and others
     Xml,
 }
 
 impl Form {
-    /// How it is listed; none where it is a file for others.
+    /// How its charts look; none where something else is listed.
+    pub fn look(self) -> Option<unoclp_program::list::Look> {
+        use unoclp_program::list::Look;
+        match self {
+            Form::Sfc => Some(Look::Norm),
+            Form::Grafcet => Some(Look::Grafcet),
+            Form::Ladder | Form::Il | Form::St | Form::Numeric | Form::Xml => None,
+        }
+    }
+
+    /// How it is listed; none where it is a file for others, or its charts are listed.
     pub fn listed(self) -> Option<unoclp_program::list::Form> {
         use unoclp_program::list::Form as Listed;
         match self {
@@ -86,7 +100,7 @@ impl Form {
             Form::Il => Some(Listed::Il),
             Form::St => Some(Listed::St),
             Form::Numeric => Some(Listed::Numeric),
-            Form::Xml => None,
+            Form::Xml | Form::Sfc | Form::Grafcet => None,
         }
     }
 }

@@ -536,8 +536,14 @@ unoclp_words::messages! {
     machine_passed() "the machine does what it should: PASS" "a máquina faz o que deve: PASSOU";
     machine_failed() "the machine does not do what it should: FAIL" "a máquina não faz o que deve: FALHOU";
     svg_is_a_ladder()
-        "--svg draws a ladder diagram; leave out --as, or --svg"
-        "--svg desenha um diagrama ladder; tire --as ou --svg";
+        "--svg draws a ladder diagram, or a chart with --as sfc or grafcet; leave out --as, or --svg"
+        "--svg desenha um diagrama ladder, ou um SFC com --as sfc ou grafcet; tire --as ou --svg";
+    paper_is_a_ladder()
+        "--paper prints a ladder diagram; leave out --paper to draw a chart"
+        "--paper imprime um diagrama ladder; tire --paper para desenhar um SFC";
+    no_chart()
+        "the program has no chart; leave out --as to see its ladder diagram"
+        "o programa não tem SFC; tire --as para ver o diagrama ladder";
     drawn(file) "{file}: drawn" "{file}: desenhado";
     is_numeric(file)
         "{file} is numeric code; there is nothing to compile"
@@ -580,6 +586,9 @@ unoclp_words::messages! {
     text() "Text" "Texto";
     rungs() "Rungs" "Degraus";
     to_text() "text" "texto";
+    chart() "Chart" "SFC";
+    to_chart() "chart" "SFC";
+    active_steps(what, steps) "{what}: {steps}" "{what}: {steps}";
     fault_in_line(number, line) "FAULT {number}, line {line}" "FAULT {number}, linha {line}";
     paused() "PAUSED" "PAUSA";
     ran(ms, scans) "{ms} ms  {scans} scans " "{ms} ms  {scans} varreduras ";

@@ -392,8 +392,15 @@ fn rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     else {
         return;
     };
-    let lines = program.drawn.lines(&app.flow, usize::from(area.width));
-    let what = program.drawn.title();
+    let read = |point| {
+        app.reading
+            .as_ref()
+            .and_then(|reading| read(reading, point))
+    };
+    let lines = program
+        .drawn
+        .lines(&app.flow, usize::from(area.width), read);
+    let what = program.drawn.title(read);
     let height = usize::from(area.height.saturating_sub(1));
     app.page = height.saturating_sub(1).max(1);
     app.top = app.top.min(lines.len().saturating_sub(height));

@@ -194,7 +194,7 @@ impl App {
     }
 
     /// What the last scan has left at this point.
-    fn read(&self, point: Address) -> Option<i32> {
+    pub(super) fn read(&self, point: Address) -> Option<i32> {
         let plc = self.machine.plc();
         let at = |number: u8| usize::from(number).checked_sub(1);
         let bit = |bits: u128, number: u8| Some((bits >> at(number)? & 1) as i32);

@@ -1,64 +1,103 @@
-//! A running program as a person looks at it: its ladder diagram, or the text that it comes from.
+//! A running program as a person looks at it: its charts, its ladder diagram, or the text that it comes from.
 
 use super::ladder::Rungs;
 use super::listing::Listing;
 use crate::messages;
 use ratatui::text::Line;
-use unoclp_exercise::live::Flow;
+use unoclp_exercise::live::{Charts, Flow};
+use unoclp_point::Address;
 use unoclp_program::Source;
 
-/// Both ways to look at a program.
+/// The ways to look at a program.
 pub struct Drawn {
     rungs: Rungs,
     listing: Listing,
-    as_text: bool,
+    charts: Charts,
+    view: View,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum View {
+    Chart,
+    Text,
+    Ladder,
 }
 
 impl Drawn {
-    /// Of this program. What was written as Instruction List is shown so first.
+    /// Of this program. A chart is shown as one first, what was written as a text as that.
     pub fn new(program: &Source) -> Drawn {
+        let charts = Charts::new(program);
         Drawn {
             rungs: Rungs::new(program),
             listing: Listing::new(program),
-            as_text: program.is_text(),
+            view: match program.is_text() {
+                _ if charts.any() => View::Chart,
+                true => View::Text,
+                false => View::Ladder,
+            },
+            charts,
         }
     }
 
-    /// Shows the other of the two.
+    /// Shows the next of them.
     pub fn turn(&mut self) {
-        self.as_text = !self.as_text;
+        self.view = self.next();
+    }
+
+    fn next(&self) -> View {
+        match self.view {
+            View::Text => View::Ladder,
+            View::Ladder if self.charts.any() => View::Chart,
+            View::Ladder | View::Chart => View::Text,
+        }
     }
 
     /// The line that is shown first, counted from 0: of a text the first that does something.
     pub fn home(&self) -> usize {
-        if self.as_text {
-            self.listing.first()
-        } else {
-            0
+        match self.view {
+            View::Text => self.listing.first(),
+            View::Ladder | View::Chart => 0,
         }
     }
 
-    /// What is shown.
-    pub fn title(&self) -> String {
-        match self.as_text {
-            true => messages::text(),
-            false => messages::rungs(),
+    /// What is shown, and which steps are active, where `read` gives what stands at a point.
+    pub fn title(&self, read: impl Fn(Address) -> Option<i32>) -> String {
+        let what = match self.view {
+            View::Text => messages::text(),
+            View::Ladder => messages::rungs(),
+            View::Chart => messages::chart(),
+        };
+        match self.charts.any() {
+            true => messages::active_steps(what, self.charts.line(read)),
+            false => what,
         }
     }
 
     /// What would be shown by [`Drawn::turn`], for the line of keys.
     pub fn other(&self) -> String {
-        match self.as_text {
-            true => "ladder".to_owned(),
-            false => messages::to_text(),
+        match self.next() {
+            View::Ladder => "ladder".to_owned(),
+            View::Text => messages::to_text(),
+            View::Chart => messages::to_chart(),
         }
     }
 
     /// What is shown as lines of text, of this width where that is enough.
-    pub fn lines(&self, flow: &Flow, width: usize) -> Vec<Line<'static>> {
-        match self.as_text {
-            true => self.listing.lines(flow),
-            false => self.rungs.lines(flow, width),
+    pub fn lines(
+        &self,
+        flow: &Flow,
+        width: usize,
+        read: impl Fn(Address) -> Option<i32>,
+    ) -> Vec<Line<'static>> {
+        match self.view {
+            View::Text => self.listing.lines(flow),
+            View::Ladder => self.rungs.lines(flow, width),
+            View::Chart => self
+                .charts
+                .pictures(read)
+                .into_iter()
+                .map(Line::raw)
+                .collect(),
         }
     }
 }

@@ -283,8 +283,8 @@ fn timer_spans(label: &str, timer: &TimerState, digits: usize, width: usize) -> 
 
 fn draw_rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     let width = usize::from(area.width);
-    let lines = app.drawn.lines(&app.flow, width);
-    let what = app.drawn.title();
+    let lines = app.drawn.lines(&app.flow, width, |point| app.read(point));
+    let what = app.drawn.title(|point| app.read(point));
     let height = usize::from(area.height.saturating_sub(1));
     let (count, top) = (lines.len(), app.scroll.fit(lines.len(), height));
     let shown: Vec<Line> = lines.into_iter().skip(top).take(height).collect();

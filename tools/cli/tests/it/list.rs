@@ -1,6 +1,6 @@
 //! Listings: those of the samples as they shall be, and what holds for those of all programs.
 
-use crate::common::outcome_in;
+use crate::common::{file, outcome, outcome_in};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -273,4 +273,53 @@ fn a_drawing_in_ascii_leaves_nothing_out() {
         let unknown = |text: &str| text.matches('?').count();
         assert_eq!(unknown(&plain), unknown(&drawn), "{plain}");
     }
+}
+
+#[test]
+fn a_chart_is_listed_and_drawn_in_both_looks() {
+    let program = folder("../../programs/charts/filling.st");
+    let program = program.to_str().unwrap();
+    let (code, norm, errors) = outcome(&["list", program, "--as", "sfc"]);
+    assert_eq!((code, errors.as_str()), (0, ""));
+    for part in ["Wait", "Settle.T >= T#500ms", "L T#2s", "ready"] {
+        assert!(norm.contains(part), "{part}: {norm}");
+    }
+    let (_, grafcet, _) = outcome(&["list", program, "--as", "grafcet"]);
+    assert!(grafcet.contains("500ms/XSettle"), "{grafcet}");
+    let svg = file("chart.svg", "");
+    let drawn = outcome(&["list", program, "--as", "sfc", "--svg", &svg, "--force"]);
+    assert_eq!(drawn.0, 0, "{drawn:?}");
+    let drawn = fs::read_to_string(&svg).unwrap();
+    assert_eq!(drawn.matches("data-id=\"s").count(), 5, "{drawn}");
+    // The ladder that it becomes stays what is listed where nobody asks for the chart.
+    assert!(outcome(&["list", program]).1.contains("Fill.X"));
+    for arguments in [
+        &["--as", "sfc"][..],
+        &["--as", "grafcet", "--svg", &svg, "--force"],
+    ] {
+        let all = [&["list", "../../programs/and.txt"], arguments].concat();
+        let (code, _, errors) = outcome(&all);
+        assert!(
+            code != 0 && errors.contains("the program has no chart"),
+            "{errors}"
+        );
+    }
+}
+
+/// A project with a chart is listed as one, and what is exported is the chart again.
+#[test]
+fn a_chart_of_a_project_is_listed_too() {
+    let program = folder("../../programs/charts/cylinders.st");
+    let program = program.to_str().unwrap();
+    let (_, project, errors) = outcome(&["list", program, "--as", "xml"]);
+    assert_eq!(errors, "");
+    let project = file("chart.xml", &project);
+    let charts = [program, &project].map(|file| outcome(&["list", file, "--as", "sfc"]));
+    assert_eq!(charts[0], charts[1]);
+    let codes = [program, &project].map(|file| {
+        let out = outcome(&["compile", file]).1;
+        let lines = out.lines().filter_map(|line| line.split('/').next());
+        lines.map(|line| line.trim().to_owned()).collect::<Vec<_>>()
+    });
+    assert_eq!(codes[0], codes[1]);
 }

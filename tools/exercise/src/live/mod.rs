@@ -4,11 +4,13 @@
 //! - [`Boxes`]: the texts of timers' and counters' boxes while it runs
 //! - [`Lines`]: the lines of the text, each with what it has come to: of a text with statements by `traced`, what each
 //!   statement tests or stores; of others by `stepped`, what the steps of each line have come to
+//! - [`Charts`]: the steps that are active
 //! - [`Twin`]: does what a board does that tells its points only
 //!
 //! Owns what is known of a moment. Must not know how it is drawn, nor where a board's readings come from.
 
 mod boxes;
+mod charts;
 mod flow;
 mod lines;
 mod mark;
@@ -17,6 +19,7 @@ mod traced;
 mod twin;
 
 pub use boxes::Boxes;
+pub use charts::{Chart, Charts};
 pub use flow::Flow;
 pub use lines::Lines;
 pub use mark::Mark;

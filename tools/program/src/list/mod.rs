@@ -4,14 +4,17 @@
 mod numeric;
 mod words;
 
-use crate::{Source, names};
+use crate::{Source, WrittenIn, names};
 use std::path::Path;
 use unoclp_draw::edit::Document;
 use unoclp_draw::{Drawing, Ladder, Names, Report, Style, listing, to_report, to_svg};
-use unoclp_lang::{Diagnostic, Lang, instructions_to_il, to_st};
+use unoclp_lang::{Diagnostic, Lang, TextLanguage, instructions_to_il, to_st};
+
+use unoclp_sfc::Sheet;
 
 pub use unoclp_draw::Paper;
 pub use unoclp_plcopen::{Exported, Lost};
+pub use unoclp_sfc::Look;
 
 /// What a program is listed as.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -67,16 +70,40 @@ pub fn of_line(source: &Source, line: usize, lang: Lang) -> (Vec<String>, usize)
     (effects, bytes)
 }
 
-/// A program as a project in PLCopen XML, which goes by the name of its file.
+/// The charts of a program, of characters, in the look of a norm; none where it has none.
+pub fn charts(source: &Source, look: Look) -> Option<String> {
+    let all = source.charts.iter().map(|chart| {
+        let sheet = Sheet::drawn(chart, look);
+        unoclp_sfc::picture(chart, &sheet, None)
+    });
+    let all: Vec<String> = all.collect();
+    (!all.is_empty()).then(|| all.join("\n"))
+}
+
+/// The first chart of a program as an SVG document; none where it has none.
+pub fn chart_svg(source: &Source, look: Look) -> Option<String> {
+    let chart = source.charts.first()?;
+    let sheet = Sheet::drawn(chart, look);
+    Some(unoclp_sfc::svg(chart, &sheet, None, &about(source), false))
+}
+
+/// A program as a project in PLCopen XML, which goes by the name of its file. A chart is exported as it is written.
 ///
 /// # Errors
 /// What no project can say.
 pub fn plcopen(source: &Source) -> Result<Exported, Vec<Lost>> {
+    let name = Path::new(&source.name).file_stem().unwrap_or_default();
+    let is_st = source.language.written_in() == WrittenIn::Typed(TextLanguage::St);
+    if is_st && !source.charts.is_empty() {
+        return Ok(Exported {
+            text: unoclp_plcopen::export_text(&source.text, &name.to_string_lossy()),
+            beyond: Vec::new(),
+        });
+    }
     let ladder = Ladder::new(source.program().steps());
     let document = Document::of_steps(source.program().steps());
     let document = document.with_text(&source.map);
     let document = document.with_names(names(&source.map, &ladder));
-    let name = Path::new(&source.name).file_stem().unwrap_or_default();
     unoclp_plcopen::export(&document, &name.to_string_lossy(), source.board())
 }
 

@@ -84,3 +84,14 @@ fn a_line_shows_the_condition_that_it_tests() {
         assert!(shown.contains(part), "{part}: {shown}");
     }
 }
+
+#[test]
+fn a_board_shows_the_active_steps_of_a_chart() {
+    let text = "VAR go AT %IX1 : BOOL; lamp AT %QX1 : BOOL; END_VAR\nINITIAL_STEP Wait: END_STEP\nSTEP Shine: lamp(N); END_STEP\nTRANSITION FROM Wait TO Shine := go; END_TRANSITION\nTRANSITION FROM Shine TO Wait := NOT go; END_TRANSITION\n";
+    let shown = screen(&mut showing_typed("lamp.st", text, &[]), 80, 50);
+    assert!(
+        shown.contains("● Wait") != shown.contains("● Shine"),
+        "{shown}"
+    );
+    assert!(shown.contains("─┼── go"), "{shown}");
+}

@@ -100,3 +100,33 @@ fn variables_of_lce_have_their_own_names_and_hold_what_was_written_last() {
     assert!(shown.contains("\n nivel 6   V1 2.5\n"), "{shown}");
     assert!(shown.contains("Q2 ● bomba"), "{shown}");
 }
+
+/// A chart is shown as one, with its active steps; then its text, and the ladder that it has become.
+#[test]
+fn a_chart_is_shown_with_its_active_steps() {
+    let text = include_str!("../../../../../programs/charts/filling.st");
+    let mut app = App::new(source("filling.st", text));
+    advance(&mut app, 1);
+    let shown = screen(&mut app, 80, 50).join("\n");
+    assert!(shown.contains("─ Chart: ● Wait ─"), "{shown}");
+    assert!(
+        shown.contains("║●Wait  ║") && shown.contains("●─┼── start"),
+        "{shown}"
+    );
+    press(&mut app, '1');
+    advance(&mut app, 5);
+    press(&mut app, '2');
+    advance(&mut app, 5);
+    press(&mut app, '3');
+    advance(&mut app, 130);
+    let shown = screen(&mut app, 80, 50).join("\n");
+    assert!(shown.contains("● Settle 0.1 s"), "{shown}");
+    press(&mut app, 'v');
+    let shown = screen(&mut app, 80, 50).join("\n");
+    assert!(shown.contains("─ Text: ● Settle 0.1 s"), "{shown}");
+    press(&mut app, 'v');
+    let shown = screen(&mut app, 80, 50).join("\n");
+    assert!(shown.contains("─ Rungs: ● Settle 0.1 s"), "{shown}");
+    press(&mut app, 'v');
+    assert!(screen(&mut app, 80, 50).join("\n").contains("─ Chart: "));
+}

@@ -1,0 +1,115 @@
+//! A text in Structured Text as a project: its units with their variables, their bodies as they are written, its charts
+//! drawn.
+//!
+//! - `types`: types and first values as XML; `variables`: what is declared
+//! - `chart`: a chart with its steps where they are drawn
+
+mod chart;
+mod types;
+mod variables;
+
+use super::xml::escaped;
+use std::fmt::Write as _;
+use unoclp_lang::outline::{Outline, Unit, outline};
+use unoclp_lang::typed::UnitKind;
+use unoclp_sfc::Document;
+
+/// A text in Structured Text as a project that goes by this name; [`import`](crate::import) makes the same program of it. It
+/// says no date of its own. Comments between its units are left out.
+pub fn export_text(text: &str, name: &str) -> String {
+    let parts = outline(text);
+    let mut charts = Document::all(text).into_iter();
+    let mut pous = String::new();
+    for unit in &parts.units {
+        let chart = unit.chart.as_ref().and_then(|_| charts.next());
+        pou(text, unit, chart.as_ref(), &mut pous);
+    }
+    let name = match name.trim() {
+        "" => "Main".to_owned(),
+        name => escaped(name),
+    };
+    format!(
+        "<?xml version='1.0' encoding='utf-8'?>
+<project xmlns:xhtml=\"http://www.w3.org/1999/xhtml\" xmlns:xsd=\"http://www.w3.org/2001/XMLSchema\" xmlns=\"http://www.plcopen.org/xml/tc6_0201\">
+  <fileHeader companyName=\"Unknown\" productName=\"unoclp\" productVersion=\"1\" creationDateTime=\"2000-01-01T00:00:00\"/>
+  <contentHeader name=\"{name}\" modificationDateTime=\"2000-01-01T00:00:00\">
+    <coordinateInfo>
+      <fbd>
+        <scaling x=\"10\" y=\"10\"/>
+      </fbd>
+      <ld>
+        <scaling x=\"10\" y=\"10\"/>
+      </ld>
+      <sfc>
+        <scaling x=\"10\" y=\"10\"/>
+      </sfc>
+    </coordinateInfo>
+  </contentHeader>
+  <types>
+{types}    <pous>
+{pous}    </pous>
+  </types>
+  <instances>
+    <configurations>
+      <configuration name=\"Config0\">
+        <resource name=\"Res0\">
+          <task name=\"task0\" priority=\"0\" interval=\"T#20ms\">
+{runs}          </task>
+{globals}        </resource>
+      </configuration>
+    </configurations>
+  </instances>
+</project>
+",
+        types = types::all(text, &parts),
+        runs = runs(&parts),
+        globals = variables::globals(text, &parts),
+    )
+}
+
+/// The programs, in the order in which they run.
+fn runs(parts: &Outline) -> String {
+    let programs = parts
+        .units
+        .iter()
+        .filter(|unit| unit.kind == UnitKind::Program);
+    let run = |(number, unit): (usize, &Unit)| {
+        let name = escaped(&unit.name.text);
+        format!("            <pouInstance name=\"instance{number}\" typeName=\"{name}\"/>\n")
+    };
+    programs.enumerate().map(run).collect()
+}
+
+fn pou(text: &str, unit: &Unit, chart: Option<&Document>, to: &mut String) {
+    let kind = match unit.kind {
+        UnitKind::Program => "program",
+        UnitKind::Function => "function",
+        UnitKind::Block => "functionBlock",
+    };
+    let name = escaped(&unit.name.text);
+    let _ = write!(
+        to,
+        "      <pou name=\"{name}\" pouType=\"{kind}\">
+        <interface>\n"
+    );
+    if let Some(result) = unit.result {
+        let result = types::written(text.get(result.range()).unwrap_or_default());
+        let _ = writeln!(to, "          <returnType>{result}</returnType>");
+    }
+    unit.variables
+        .iter()
+        .for_each(|section| variables::section(text, section, to));
+    to.push_str("        </interface>\n");
+    match chart {
+        Some(chart) => chart::body(chart, to),
+        None => {
+            let body = text.get(unit.body.range()).unwrap_or_default();
+            let _ = write!(
+                to,
+                "        <body>\n          <ST>\n            <xhtml:p>{}</xhtml:p>\n          </ST>\n        </body>\n",
+                escaped(body)
+            );
+        }
+    }
+    to.push_str("      </pou>\n");
+}

@@ -1,0 +1,5 @@
+//! Charts as diagrams.
+
+mod drawn;
+mod edited;
+mod looks;

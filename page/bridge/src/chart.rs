@@ -1,0 +1,264 @@
+//! Charts on a page: drawn, with what a person may change of each part; and changed, which gives another text.
+//!
+//! Owns the form in which a page asks for that. Must not know what an operation does: `unoclp-sfc` does.
+
+use crate::answer::answer;
+use crate::given::wrong;
+use crate::words::{No, both};
+use unoclp_exercise::live::Charts;
+use unoclp_program::{Lang, list::Look};
+use unoclp_sfc::edit::{Operation, Refusal, Side};
+use unoclp_sfc::{Document, Id, Qualifier, Sheet, svg};
+use unoclp_workspace::Analysis;
+
+answer! {
+    /// The charts of a text.
+    pub struct Charted as "Charted" {
+        charts: Vec<ChartDrawn>,
+        /// The text after what was done.
+        text: Option<String>,
+        /// What is selected then.
+        select: Option<String>,
+    }
+}
+
+answer! {
+    /// A chart.
+    pub struct ChartDrawn as "ChartDrawn" {
+        /// The unit that it is the body of.
+        unit: String,
+        /// The element.
+        svg: String,
+        /// What stands on it, from top to bottom along its lines.
+        parts: Vec<ChartPart>,
+        /// The points of each step: whether it is active, and its time; none while the text is no program.
+        points: Vec<[Option<String>; 2]>,
+    }
+}
+
+answer! {
+    /// A part of a chart, and what can be changed of it.
+    pub struct ChartPart as "ChartPart" {
+        id: String,
+        kind: &'static str,
+        /// Its middle, in the units of the drawing.
+        x: f32,
+        y: f32,
+        /// The step, the action, the step that a jump leads to, or the name of a transition.
+        name: String,
+        /// A condition, or the body of an action.
+        text: String,
+        qualifier: &'static str,
+        time: String,
+        priority: String,
+        initial: bool,
+        /// The numbers of the steps that a transition leaves.
+        from: Vec<usize>,
+    }
+}
+
+/// What is done.
+pub struct Act {
+    /// The number of the chart.
+    pub chart: u32,
+    /// What.
+    pub what: String,
+    /// To what.
+    pub at: String,
+    /// What is written.
+    pub say: String,
+    /// The qualifier and the time of an action.
+    pub qualifier: String,
+    /// The time.
+    pub time: String,
+}
+
+/// The charts of a text, after something is done to one of them.
+///
+/// # Errors
+/// Why that is not done.
+pub fn charted(analysis: &Analysis, look: &str, act: Option<Act>) -> Result<Charted, No> {
+    let look = if look == "grafcet" {
+        Look::Grafcet
+    } else {
+        Look::Norm
+    };
+    let mut documents = Document::all(&analysis.written().text());
+    let (mut text, mut select) = (None, None);
+    if let Some(act) = act {
+        let chart = documents
+            .get(act.chart as usize)
+            .ok_or_else(|| wrong("chart"))?;
+        let done = chart.after(&operation(&act)?);
+        let (after, id) = done.map_err(|why| both(|lang| refused(lang, why)))?;
+        let after = after.text();
+        documents = Document::all(&after);
+        (text, select) = (Some(after), Some(id.to_string()));
+    }
+    // What has just been changed is compiled when the page has its text.
+    let live = match (&text, analysis.check()) {
+        (None, Some(Ok(source))) => Charts::new(source),
+        _ => Charts::default(),
+    };
+    let charts = documents
+        .iter()
+        .map(|document| drawn(document, look, &live));
+    Ok(Charted {
+        charts: charts.collect(),
+        text,
+        select,
+    })
+}
+
+fn drawn(document: &Document, look: Look, live: &Charts) -> ChartDrawn {
+    let sheet = Sheet::drawn(document, look);
+    let of_unit = |chart: &&unoclp_exercise::live::Chart| chart.document.unit == document.unit;
+    let points = live.all().iter().find(of_unit).map_or(Vec::new(), |chart| {
+        let name = |point: unoclp_point::Address| point.to_string();
+        chart
+            .points()
+            .map(|points| points.map(|point| point.map(name)))
+            .collect()
+    });
+    let parts = sheet.items.iter().map(|item| {
+        let (x, y) = item.middle();
+        part(document, item.id, (x, y))
+    });
+    ChartDrawn {
+        unit: document.unit.clone(),
+        svg: svg(document, &sheet, None, &document.unit, true),
+        parts: parts.collect(),
+        points,
+    }
+}
+
+fn part(document: &Document, id: Id, (x, y): (f32, f32)) -> ChartPart {
+    let mut part = ChartPart {
+        id: id.to_string(),
+        kind: "step",
+        x,
+        y,
+        name: String::new(),
+        text: String::new(),
+        qualifier: "",
+        time: String::new(),
+        priority: String::new(),
+        initial: false,
+        from: Vec::new(),
+    };
+    match id {
+        Id::Step(step) => {
+            if let Some(step) = document.steps.get(step) {
+                part.name.clone_from(&step.name);
+                part.initial = step.initial;
+            }
+        }
+        Id::Does(step, nth) => {
+            part.kind = "does";
+            let does = document.steps.get(step).and_then(|step| step.does.get(nth));
+            if let Some(does) = does {
+                part.name.clone_from(&does.action);
+                part.qualifier = does.qualifier.name();
+                part.time = does.time.clone().unwrap_or_default();
+                let body = document.action(&does.action);
+                part.text = body.map_or(String::new(), |body| document.actions[body].body.clone());
+            }
+        }
+        Id::Transition(number) | Id::Jump(number, _) | Id::Wait(number, _) => {
+            part.kind = match id {
+                Id::Transition(_) => "transition",
+                Id::Jump(..) => "jump",
+                _ => "wait",
+            };
+            if let Some(of) = document.transitions.get(number) {
+                part.text.clone_from(&of.condition);
+                let from = of.from.iter().filter_map(|name| document.step(name));
+                part.from = from.collect();
+                part.priority = of.priority.map_or(String::new(), |of| of.to_string());
+                part.name = match id {
+                    Id::Jump(_, nth) => of.to.get(nth).cloned().unwrap_or_default(),
+                    _ => of.to.first().cloned().unwrap_or_default(),
+                };
+            }
+        }
+    }
+    part
+}
+
+/// What a page asks for.
+fn operation(act: &Act) -> Result<Operation, No> {
+    let id: Id = act.at.parse().map_err(|_| wrong("at"))?;
+    let say = || act.say.clone();
+    Ok(match &*act.what {
+        "after" => Operation::StepAfter(id),
+        "before" => Operation::StepBefore(id),
+        "branch" => Operation::Branch(id),
+        "beside" => Operation::Beside(id),
+        "jump" => Operation::Jump(id, say()),
+        "act" => Operation::Act(id),
+        "remove" => Operation::Remove(id),
+        "left" => Operation::Move(id, Side::Left),
+        "right" => Operation::Move(id, Side::Right),
+        "rename" => Operation::Rename(id, say()),
+        "condition" => Operation::Condition(id, say()),
+        "lead" => Operation::Lead(id, say()),
+        "priority" => {
+            let number = act.say.trim();
+            let number = match number {
+                "" => None,
+                number => Some(number.parse().map_err(|_| wrong("say"))?),
+            };
+            Operation::Priority(id, number)
+        }
+        "initial" => Operation::Initial(id),
+        "does" => {
+            let qualifier = Qualifier::named(&act.qualifier).ok_or_else(|| wrong("qualifier"))?;
+            let time = Some(act.time.clone()).filter(|time| !time.is_empty());
+            Operation::Does(id, say(), qualifier, time)
+        }
+        "body" => Operation::Body(act.at_name(), say()),
+        _ => return Err(wrong("what").into()),
+    })
+}
+
+impl Act {
+    /// The name of the action whose body is written: it stands where others have a time.
+    fn at_name(&self) -> String {
+        self.time.clone()
+    }
+}
+
+unoclp_words::messages! {
+    not_there() "the selected element no longer exists" "o elemento selecionado já não existe";
+    select_step() "select a step first; the initial step has nothing beside it" "selecione antes uma etapa; a etapa inicial não tem outra ao lado";
+    select_transition() "select a transition first" "selecione antes uma transição";
+    last_step() "a chart has at least one step" "um SFC tem pelo menos uma etapa";
+    no_name() "this is not a name" "isto não é um nome";
+    name_taken() "another part of the chart has that name" "outra parte do SFC já tem esse nome";
+    no_further() "it cannot move further" "não dá para mover mais";
+    missing() "a condition or a time is missing" "falta uma condição ou um tempo";
+    not_one_part() "this ends in the middle of the field; write an expression, or statements" "isto termina no meio do campo; escreva uma expressão, ou comandos";
+}
+
+/// Why nothing is done.
+fn refused(lang: Lang, why: Refusal) -> String {
+    match why {
+        Refusal::NotThere => not_there(lang),
+        Refusal::SelectStep => select_step(lang),
+        Refusal::SelectTransition => select_transition(lang),
+        Refusal::LastStep => last_step(lang),
+        Refusal::NoName => no_name(lang),
+        Refusal::NameTaken => name_taken(lang),
+        Refusal::NoFurther => no_further(lang),
+        Refusal::Missing => missing(lang),
+        Refusal::NotOnePart => not_one_part(lang),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_text_says_the_same_in_both_languages() {
+        assert_eq!(unoclp_words::gaps(super::ALL), [""; 0]);
+    }
+}
