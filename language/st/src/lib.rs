@@ -32,7 +32,7 @@ use unoclp_text::colour::Colour;
 use token::{Kind, Token};
 use unoclp_core::Board;
 use unoclp_text::diagnostics::{Code, Found, Span};
-use unoclp_text::outline::{self, Labels, Outline};
+use unoclp_text::outline::{Labels, Outline, norm};
 use unoclp_tree::{Base, Standard, Tree};
 use words::Keyword;
 
@@ -64,7 +64,7 @@ pub fn colours(text: &str, dialect: Dialect) -> Vec<(Span, Option<Colour>)> {
 
 /// What a text declares, and where.
 pub fn outline(text: &str, dialect: Dialect) -> Outline {
-    outline::norm(text, &colours(text, dialect), Labels::AreNot)
+    norm(text, &colours(text, dialect), Labels::AreNot)
 }
 
 /// The keywords, those of a chart among them.

@@ -3,7 +3,7 @@
 use crate::language;
 use crate::reader::Reader;
 use unoclp_lang::Span;
-use unoclp_lang::outline::What;
+use unoclp_lang::declarations::What;
 use unoclp_program::Written;
 
 /// A declaration.
@@ -30,7 +30,7 @@ pub fn symbols(written: &Written) -> Vec<Symbol> {
     };
     let text = written.text();
     let reader = Reader::new(&text, language);
-    let symbol = |named: &unoclp_lang::outline::Named| {
+    let symbol = |named: &unoclp_lang::declarations::Named| {
         let ty = named.ty.map_or("", |ty| reader.written(ty));
         let point = named.point.map_or("", |point| reader.written(point));
         Symbol {

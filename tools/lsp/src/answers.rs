@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use unoclp_assist as assist;
 use unoclp_assist::{Edit, Kind, Symbol};
 use unoclp_lang::Lang;
-use unoclp_lang::outline::What;
+use unoclp_lang::declarations::What;
 
 /// All that is asked.
 pub(crate) struct Answers<'d> {
