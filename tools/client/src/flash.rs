@@ -1,8 +1,8 @@
 //! A firmware for the board at the other end of a line, by its boot loader.
 
 use crate::client::Client;
+use crate::event::Event;
 use crate::link::Format;
-use crate::session::Event;
 use unoclp_boot::{Failure, Next, Writer};
 use unoclp_modbus::map::Parity;
 

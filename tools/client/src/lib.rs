@@ -11,9 +11,9 @@
 //! - [`live`]: the same many times a second, of what a program uses
 //! - [`session`]: a board from finding it to losing it, and all that is heard of it meanwhile: one machine, whose views are
 //!   the terminal, the page and the gateway
-//! - [`order`]: all that may be ordered of a board, and what comes of it
+//! - [`order`]: all that may be ordered of a board; [`event`]: all that is heard of it, and what comes of an order
 //! - [`point`]: writing of single points
-//! - [`settings`]: address, rate, parity, direction pin and lock
+//! - [`settings`]: address, rate, parity, direction pin and lock; [`settle`]: changing them
 //! - [`words`]: what there is to say of all that
 //!
 //! Owns what is asked of a board, in which order, what its answers are, and their words. Must not know ports, threads, clocks,
@@ -24,6 +24,7 @@
 pub mod client;
 mod conversation;
 pub mod diagnostics;
+pub mod event;
 pub mod flash;
 pub mod identity;
 mod link;
@@ -32,6 +33,7 @@ pub mod order;
 pub mod point;
 pub mod session;
 pub mod settings;
+pub mod settle;
 pub mod start;
 pub mod upload;
 pub mod watch;

@@ -1,13 +1,15 @@
-//! What may be ordered of a board, and what comes of it.
+//! What may be ordered of a board, and how it is done.
 
 use crate::client::{Client, Failure};
 use crate::diagnostics::Diagnostics;
+use crate::event::Event;
+pub use crate::event::{Done, Refusal, Undone};
 use crate::flash::flash;
 use crate::map::{Command, State, flag};
 use crate::point;
-use crate::session::{Away, Event};
-use crate::settings::{Settings, Settled, Unsettled, settle};
-use crate::upload::{Behind, Broken, Upload};
+use crate::settings::Settings;
+use crate::settle::settle;
+use crate::upload::Upload;
 use crate::watch::{Side, command, force, release};
 use unoclp_boot::{Image, Writer};
 use unoclp_modbus::Exception;
@@ -32,61 +34,6 @@ pub enum Order {
     Settle(Settings),
     /// Write a firmware by its boot loader. It is sought again then.
     Flash(Box<Image>),
-}
-
-/// What has come of an order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Done {
-    /// What was ordered, and no more.
-    Plainly,
-    /// A program is on it.
-    Uploaded(Behind),
-    /// It keeps settings.
-    Settled(Settled),
-    /// A firmware is on it, and begins.
-    Flashed,
-}
-
-/// Why an order is not done.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Undone {
-    /// There is no board.
-    Away(Away),
-    /// The board is lost by it.
-    Lost(Failure),
-    /// The board refuses it.
-    Refused(Refusal),
-    /// No client may write this point.
-    NoPoint(Address),
-    /// The board does not leave RUN, as has to be.
-    NotStopped(Failure),
-    /// No program was uploaded.
-    Broken(Broken),
-    /// The program is stored, but the board does not begin it.
-    NotStarted(Failure),
-    /// The settings are as they were.
-    Unsettled(Unsettled),
-    /// The firmware is not on it.
-    NotFlashed(unoclp_boot::Failure),
-}
-
-/// What stands in the way of an order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Refusal {
-    /// The board is in FAULT.
-    InFault,
-    /// A5 holds it in STOP.
-    Switch,
-    /// An upload is under way.
-    InUpload,
-    /// It is not in STOP, as a single scan needs.
-    NotInStop,
-    /// Commands are locked.
-    CommandsLocked,
-    /// Writing and forcing are locked.
-    WritingLocked,
-    /// Anything else.
-    Other(Exception),
 }
 
 /// What an order may have changed of a reading.
@@ -144,64 +91,27 @@ impl Order {
             Ok(()) => Ok(Done::Plainly),
             Err(Failure::Refused(exception)) => {
                 let board = Diagnostics::read(client).await?;
-                Err(Undone::Refused(Refusal::of(self, exception, &board)))
+                Err(Undone::Refused(refusal(self, exception, &board)))
             }
             Err(why) => Err(Undone::Lost(why)),
         }
     }
 }
 
-impl Undone {
-    /// By what the board is lost, where it is.
-    pub(crate) fn lost(&self) -> Option<Failure> {
-        match self {
-            Undone::Lost(why) | Undone::NotStopped(why) | Undone::NotStarted(why)
-                if !matches!(why, Failure::Refused(_)) =>
-            {
-                Some(why.clone())
-            }
-            _ => None,
+/// Why a board refuses an order by this exception, as it stands.
+fn refusal(order: &Order, exception: Exception, board: &Diagnostics) -> Refusal {
+    match exception {
+        Exception::IllegalFunction => match order {
+            Order::Command(_) => Refusal::CommandsLocked,
+            _ => Refusal::WritingLocked,
+        },
+        Exception::ServerDeviceFailure if board.state == Some(State::Fault) => Refusal::InFault,
+        Exception::ServerDeviceFailure if board.has(flag::STOP_SWITCH) => Refusal::Switch,
+        Exception::ServerDeviceFailure if board.has(flag::UPLOAD) => Refusal::InUpload,
+        Exception::ServerDeviceFailure if *order == Order::Command(Command::SingleScan) => {
+            Refusal::NotInStop
         }
-    }
-}
-
-impl From<Failure> for Undone {
-    fn from(why: Failure) -> Undone {
-        match why {
-            Failure::Refused(exception) => Undone::Refused(Refusal::Other(exception)),
-            why => Undone::Lost(why),
-        }
-    }
-}
-
-impl From<Broken> for Undone {
-    fn from(why: Broken) -> Undone {
-        Undone::Broken(why)
-    }
-}
-
-impl From<Unsettled> for Undone {
-    fn from(why: Unsettled) -> Undone {
-        Undone::Unsettled(why)
-    }
-}
-
-impl Refusal {
-    /// Why a board refuses an order by this exception, as it stands.
-    fn of(order: &Order, exception: Exception, board: &Diagnostics) -> Refusal {
-        match exception {
-            Exception::IllegalFunction => match order {
-                Order::Command(_) => Refusal::CommandsLocked,
-                _ => Refusal::WritingLocked,
-            },
-            Exception::ServerDeviceFailure if board.state == Some(State::Fault) => Refusal::InFault,
-            Exception::ServerDeviceFailure if board.has(flag::STOP_SWITCH) => Refusal::Switch,
-            Exception::ServerDeviceFailure if board.has(flag::UPLOAD) => Refusal::InUpload,
-            Exception::ServerDeviceFailure if *order == Order::Command(Command::SingleScan) => {
-                Refusal::NotInStop
-            }
-            other => Refusal::Other(other),
-        }
+        other => Refusal::Other(other),
     }
 }
 
@@ -217,7 +127,7 @@ mod tests {
             ..Diagnostics::default()
         };
         let now = Exception::ServerDeviceFailure;
-        for (command, board, refusal) in [
+        for (command, board, expected) in [
             (Command::Run, board(State::Fault, 0), Refusal::InFault),
             (
                 Command::Run,
@@ -236,11 +146,11 @@ mod tests {
             ),
             (Command::Run, board(State::Stop, 0), Refusal::Other(now)),
         ] {
-            assert_eq!(Refusal::of(&Order::Command(command), now, &board), refusal);
+            assert_eq!(refusal(&Order::Command(command), now, &board), expected);
         }
         let locked = Exception::IllegalFunction;
         let board = board(State::Run, 0);
-        let refused = |order: Order| Refusal::of(&order, locked, &board);
+        let refused = |order: Order| refusal(&order, locked, &board);
         assert_eq!(refused(Order::Release), Refusal::WritingLocked);
         let stop = Order::Command(Command::Stop);
         assert_eq!(refused(stop), Refusal::CommandsLocked);

@@ -2,62 +2,18 @@
 //! Whoever watches one, a terminal or a page, is a [`Desk`].
 
 use crate::client::{Client, Failure};
-use crate::diagnostics::{Diagnostics, Kept};
-use crate::identity::Identity;
+use crate::event::Undone;
+pub use crate::event::{Away, Event};
 use crate::live::{Live, Parts};
-use crate::order::{Change, Done, Order, Undone};
-use crate::settings::Settings;
-use crate::start::{NotFound, find};
-use crate::upload::Progress;
-use crate::watch::{Forced, Reading, Scope};
+use crate::order::{Change, Order};
+use crate::start::find;
+use crate::watch::Scope;
 use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::future::poll_fn;
 use std::pin::pin;
 use std::task::Poll;
 use std::time::Duration;
-
-/// What there is to say of a board. What an order has to say comes before that it is done, or not: they are done one after
-/// the other.
-#[derive(Debug)]
-pub enum Event<'e> {
-    /// It has answered.
-    Found(&'e Identity),
-    /// All that there is to show.
-    Seen(&'e Reading),
-    /// There is no board, or no longer one. It is sought on.
-    Lost(&'e Away),
-    /// It takes an upload from now on.
-    Stopped {
-        /// How it was before.
-        before: &'e Diagnostics,
-        /// What was forced then.
-        forced: Forced,
-    },
-    /// An upload goes on.
-    Sent(Progress),
-    /// What it keeps since an upload.
-    Stored(Kept),
-    /// This is no longer forced, since an upload.
-    Released(Forced),
-    /// What it keeps for its next start.
-    Settings(Settings),
-    /// A firmware is on its way.
-    Flashing(unoclp_boot::Progress),
-    /// What was ordered is done.
-    Done(Done),
-    /// What was ordered is not done.
-    Undone(&'e Undone),
-}
-
-/// Why there is no board.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Away {
-    /// It was not found.
-    NotFound(NotFound),
-    /// It was there.
-    Gone(Failure),
-}
 
 /// Orders that wait, the next one first.
 pub type Orders = RefCell<VecDeque<Order>>;

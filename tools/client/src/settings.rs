@@ -1,12 +1,7 @@
 //! Address, rate, parity and direction pin, as a board keeps them for its next start, and its lock.
 
 use crate::client::{Client, Failure, if_there};
-use crate::lock;
-use crate::map::{Command, Parity, Span, State, holding};
-use crate::order::Undone;
-use crate::upload::stop;
-use crate::watch::command;
-use unoclp_modbus::Exception;
+use crate::map::{Parity, Span, holding};
 
 /// What is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,23 +80,6 @@ impl Settings {
         }
     }
 
-    /// Whether a board that keeps these old ones may be asked to keep them.
-    ///
-    /// # Errors
-    /// Why not.
-    pub fn fits(&self, old: Settings) -> Result<(), Unsettled> {
-        let was = old.lock.unwrap_or(0);
-        if !RATES.contains(&self.rate) {
-            Err(Unsettled::Rate(self.rate))
-        } else if self.lock.unwrap_or(0) & was != was {
-            Err(Unsettled::LockShrinks)
-        } else if old.locks(lock::SETTINGS) {
-            Err(Unsettled::Locked)
-        } else {
-            Ok(())
-        }
-    }
-
     /// Whether the board refuses what falls under this bit of [`lock`](crate::lock).
     pub fn locks(&self, bit: u8) -> bool {
         self.lock.unwrap_or(0) & bit != 0
@@ -110,89 +88,6 @@ impl Settings {
     /// The same without the lock: what is used from the next start on only.
     pub fn without_lock(self) -> Settings {
         Settings { lock: None, ..self }
-    }
-}
-
-/// Why a board does not keep settings.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Unsettled {
-    /// No board meets this rate, in bits per second.
-    Rate(u32),
-    /// A client can only add to a lock.
-    LockShrinks,
-    /// The settings are locked.
-    Locked,
-    /// The board has refused them.
-    NotTaken(Failure),
-    /// It keeps something else.
-    NotKept,
-}
-
-/// What became of a board whose settings were written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Settled {
-    /// Some of them are used from the next start on only.
-    pub is_for_next: bool,
-    /// Whether it goes on.
-    pub again: Again,
-}
-
-/// Whether a board that was in RUN is again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Again {
-    /// It was not.
-    WasNot,
-    /// It is.
-    Runs,
-    /// A5 holds it in STOP, or a fault.
-    Held,
-    /// Its commands are locked.
-    Locked,
-}
-
-/// Has a board keep these settings in place of its own, and go on as before.
-///
-/// # Errors
-/// [`Undone`].
-pub async fn settle(client: &mut Client, new: Settings) -> Result<Settled, Undone> {
-    let old = Settings::read(client).await?;
-    new.fits(old)?;
-    let ran = stop(client).await.map_err(Undone::NotStopped)?.state;
-    let kept = keep(client, old, new).await;
-    // It runs again, whatever came of this.
-    let again = go_on(client, ran).await?;
-    kept?;
-    Ok(Settled {
-        is_for_next: new.without_lock() != old.without_lock(),
-        again,
-    })
-}
-
-/// Has a board that is not in RUN keep these settings in place of the old ones, and sees that it does.
-///
-/// # Errors
-/// [`Undone`].
-pub async fn keep(client: &mut Client, old: Settings, new: Settings) -> Result<(), Undone> {
-    new.write(old, client).await.map_err(Unsettled::NotTaken)?;
-    match Settings::read(client).await? == new {
-        true => Ok(()),
-        false => Err(Unsettled::NotKept.into()),
-    }
-}
-
-/// Puts a board back into RUN that was there before, as far as it lets.
-///
-/// # Errors
-/// [`Failure`].
-pub async fn go_on(client: &mut Client, before: Option<State>) -> Result<Again, Failure> {
-    if before != Some(State::Run) {
-        return Ok(Again::WasNot);
-    }
-    match command(client, Command::Run).await {
-        Ok(()) => Ok(Again::Runs),
-        Err(Failure::Refused(Exception::ServerDeviceFailure)) => Ok(Again::Held),
-        Err(Failure::Refused(Exception::IllegalFunction)) => Ok(Again::Locked),
-        Err(why) => Err(why),
     }
 }
 

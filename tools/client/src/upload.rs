@@ -5,85 +5,16 @@
 
 use crate::client::{Client, Failure};
 use crate::diagnostics::{Diagnostics, Kept, Trouble};
+pub use crate::event::{Behind, Broken, Pass, Progress};
+use crate::event::{Event, Undone};
 use crate::lock;
 use crate::map::{BLOCK_BYTES, Command, State, flag, holding};
-use crate::order::Undone;
-use crate::session::Event;
 use crate::settings::read_lock;
 use crate::watch::{Forced, command, release};
 use std::time::Duration;
 use unoclp_core::isa::{Opcode, Operand, POPPED, Value};
 use unoclp_core::{Instruction, Program};
 use unoclp_modbus::Exception;
-
-/// How far an upload is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Progress {
-    /// So many bytes of the text have been sent, for the first or the second time.
-    Sent {
-        /// The first or the second time.
-        pass: Pass,
-        /// Bytes.
-        bytes: usize,
-        /// Of so many.
-        of: usize,
-    },
-    /// The board writes its program memory.
-    Storing,
-}
-
-/// The text is sent twice.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pass {
-    /// To be checked.
-    Check,
-    /// To be stored.
-    Store,
-}
-
-/// Why a program was not uploaded.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Broken {
-    /// The board does not begin one.
-    NotBegun,
-    /// The board is in a state that this version does not know.
-    UnknownState,
-    /// The board is locked against it.
-    Locked,
-    /// The firmware of the board knows not all instructions of the program.
-    TooOld {
-        /// The form in which the board keeps programs.
-        board: u8,
-        /// The first form that has all instructions of the program.
-        needs: u8,
-    },
-    /// The board has found a fault in the text.
-    Fault(Trouble),
-    /// Another client has ended it, or begun one of its own.
-    Ended,
-    /// The board keeps something else than what was sent.
-    Other {
-        /// What it keeps.
-        kept: Kept,
-        /// What was sent.
-        sent: Kept,
-    },
-    /// The line has failed before anything was sent.
-    Before(Failure),
-    /// The line has failed.
-    Off {
-        /// The first or the second time.
-        pass: Pass,
-        /// Bytes of the text that the board has had.
-        bytes: usize,
-        /// Of so many.
-        of: usize,
-        /// The text was complete, so the board may have begun to store it.
-        stored: bool,
-        /// What has happened.
-        failure: Failure,
-    },
-}
 
 /// The first form of stored programs whose boards know all instructions of this one.
 pub fn needs(program: &Program<'_>) -> u8 {
@@ -364,25 +295,6 @@ pub async fn stop(client: &mut Client) -> Result<Diagnostics, Failure> {
         stopped.await?;
     }
     Ok(before)
-}
-
-/// What became of the board after an upload.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Behind {
-    /// It runs the program.
-    Run,
-    /// It is in STOP, as was asked for.
-    Stop,
-    /// It is in STOP by A5.
-    Switch,
-    /// It is in FAULT, and restarts only with the next reset, as was asked for.
-    Faulty,
-    /// It has found another program on a card when it was restarted.
-    Card,
-    /// It was restarted, and has a fault.
-    Trouble(Trouble),
-    /// It ran the program, and is in FAULT within [`FIRST_SCANS`]; with what the fault is.
-    Failing(Option<Trouble>),
 }
 
 /// How long a board is given to run a program before it is asked how it does: most of what goes wrong at all does so at

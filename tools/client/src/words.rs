@@ -5,12 +5,10 @@
 
 use crate::client::Failure;
 use crate::diagnostics::Trouble;
+use crate::event::{Again, Away, Behind, Broken, Done, Pass, Refusal, Settled, Undone, Unsettled};
 use crate::identity::Identity;
-use crate::order::{Done, Refusal, Undone};
-use crate::session::Away;
-use crate::settings::{Again, RATES, Settled, Unsettled};
+use crate::settings::RATES;
 use crate::start::NotFound;
-use crate::upload::{Behind, Broken, Pass};
 use crate::{AT_A_LINE, point};
 use unoclp_lang::no_such_point;
 use unoclp_modbus::Exception;

@@ -3,12 +3,12 @@
 
 use crate::common;
 use crate::common::line::{talk, write};
-use std::convert::Infallible;
-use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Duration;
 use unoclp_boot::{Failure, Image, Model, Stage, Trouble, Writer};
 use unoclp_cli::port::Port as SerialPort;
+use unoclp_client::flash;
+use unoclp_client::session::Event;
 use unoclp_client::start::find;
 use unoclp_lang::Lang;
 use unoclp_uno_sim::port::{Options, Pace, Port};
@@ -187,18 +187,16 @@ fn the_firmware_goes_through_a_pseudo_terminal() {
         }
         let mut port = SerialPort::open_for_boot_loader(&path, model).unwrap();
         let mut writer = Writer::new(image);
-        let attend = |writer: &Writer| {
+        let mut tell = |event: Event<'_>| {
             let line = Line {
                 baud,
                 ..Line::default()
             };
-            if writer.progress().done == 5 {
+            if matches!(event, Event::Flashing(progress) if progress.done == 5) {
                 board.with(move |uno| uno.set_serial_line(line)).unwrap();
             }
-            ControlFlow::<Infallible>::Continue(())
         };
-        let ControlFlow::Continue(outcome) = port.flash(&mut writer, attend);
-        outcome
+        port.talk(async |client| flash::flash(client, &mut writer, &mut tell).await)
     };
     // A computer that is busy may miss the second in which the boot loader waits: then one tries again.
     let write = |image: &Image, baud: u32| {
