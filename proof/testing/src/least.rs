@@ -5,12 +5,15 @@
 
 use std::any::Any;
 use std::cell::{Cell, RefCell};
+use std::env;
 use std::panic::{self, AssertUnwindSafe, Location, catch_unwind, resume_unwind};
 use std::sync::Once;
 use unoclp_random::tape;
 
-/// How often a test that fails is run again.
+/// How often a test that fails is run again, where the environment does not say another number.
 const TRIES: usize = 3_000;
+/// `cargo xtask mutants` wants to know that a test fails, and no more.
+const OTHER_TRIES: &str = "UNOCLP_TRIES";
 /// How many times a number is halved in search of its least.
 const HALVES: usize = 12;
 
@@ -28,7 +31,7 @@ pub fn least<T, E>(mut test: impl FnMut() -> Result<T, E>) -> Result<T, E> {
         };
         let mut search = Search {
             best: first,
-            tries: TRIES,
+            tries: tries(),
             fails: |given: &[u64], best: &[u64]| {
                 let (why, drawn) = fails(given)?;
                 (weight(&drawn) < weight(best)).then(|| {
@@ -40,6 +43,10 @@ pub fn least<T, E>(mut test: impl FnMut() -> Result<T, E>) -> Result<T, E> {
         while search.delete() | search.lower() {}
         Err(error)
     })
+}
+
+fn tries() -> usize {
+    env::var(OTHER_TRIES).map_or(TRIES, |tries| tries.parse().expect("a number"))
 }
 
 /// Fewer numbers are less, then fewer that are not 0, then lower ones.
