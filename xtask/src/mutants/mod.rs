@@ -116,6 +116,9 @@ pub struct Args {
     /// Those that a test has noticed before are tried again too
     #[arg(long)]
     again: bool,
+    /// Nothing is tried: the page is written of what earlier runs have kept
+    #[arg(long)]
+    page: bool,
 }
 
 /// Tries the mutants, and writes the page: a room that is not named keeps what stands there.
@@ -151,7 +154,8 @@ fn measure(room: &Room, args: &Args) -> Result<()> {
     let mut kept = Kept::of(folder.join("kept.json"), args.again)?;
     let result = folder.join("mutants.out/outcomes.json");
     kept.take(&result)?;
-    for tests in room.rounds {
+    let rounds = if args.page { &[] } else { room.rounds };
+    for tests in rounds {
         let is_open = |mutant: &&&Mutant| kept.is_open(mutant);
         let open: Vec<&Mutant> = sample.iter().filter(is_open).copied().collect();
         if open.is_empty() {
