@@ -5,6 +5,7 @@ use unoclp_checked::Checked;
 use unoclp_core::{Board, Inputs, Millis, real};
 use unoclp_host_sim::engine::{Cell, Machine};
 use unoclp_host_sim::random::{Random, random_inputs_on, random_program_on};
+use unoclp_testing::held;
 
 /// Set `UNOCLP_SEED` to repeat a run, or to make another one.
 const SEED: u64 = 1;
@@ -86,7 +87,7 @@ fn the_core_does_so_with_the_points_of_a_pc() {
 fn compare(board: Board, programs: u64) {
     let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
     let (mut changes, mut faults, mut restarts) = (0u64, 0u64, 0u64);
-    for seed in seed..seed + programs {
+    let mut run = |seed: u64| {
         let random = &mut Random::new(seed);
         let program = random_program_on(random, board);
         let mut machine = Machine::new(Checked::read(program.as_bytes(), board).unwrap());
@@ -138,7 +139,8 @@ fn compare(board: Board, programs: u64) {
                 _ => random.below(20_000_000),
             });
         }
-    }
+    };
+    (seed..seed + programs).for_each(|seed| held(|| run(seed)));
     println!(
         "{programs} random programs, changed {changes} times, {faults} faults, {restarts} power cuts; seeds from {seed}"
     );

@@ -2,9 +2,8 @@
 //!
 //! Owns which of them a text has variables of and declares nowhere. Must not know what a block compiles to.
 
-use super::ast::{Decl, File, Section, SpecKind, TypeSpec};
+use super::ast::{File, Section, SpecKind, TypeSpec};
 use super::{Dialect, parser};
-use std::collections::HashSet;
 use unoclp_text::diagnostics::Found;
 use unoclp_tree::Base;
 
@@ -39,41 +38,46 @@ pub fn brought(block: &str, parameter: &str) -> Option<Base> {
 
 /// The blocks that a text lacks, as a text.
 pub(super) fn missing(file: &File) -> String {
-    let mut named = HashSet::new();
+    let blocks: Vec<(&str, &str)> = blocks().collect();
+    let mut named = Vec::new();
+    let mut note = |name: &str| {
+        let is = |(block, _): &&(&'static str, &str)| block.eq_ignore_ascii_case(name);
+        named.extend(blocks.iter().find(is).map(|(block, _)| *block));
+    };
     let units = file.units.iter();
     let vars = units.flat_map(|unit| &unit.vars).chain(&file.globals);
-    let decls = vars.flat_map(|vars| &vars.decls);
-    decls.for_each(|decl| of_decl(decl, &mut named));
-    let types = file.types.iter();
-    types.for_each(|ty| of_type(&ty.spec, &mut named));
-    for unit in &file.units {
-        named.remove(&unit.name.text.to_uppercase());
+    for decl in vars.flat_map(|vars| &vars.decls) {
+        of_type(&decl.spec, &mut note);
     }
     for ty in &file.types {
-        named.remove(&ty.name.text.to_uppercase());
+        of_type(&ty.spec, &mut note);
+    }
+    let units = file.units.iter().map(|unit| &unit.name);
+    for own in units.chain(file.types.iter().map(|ty| &ty.name)) {
+        named.retain(|name| !name.eq_ignore_ascii_case(&own.text));
     }
     let mut missing = String::new();
-    for (name, block) in blocks() {
-        if named.contains(name) {
+    for (name, block) in blocks {
+        if named.contains(&name) {
             missing.push_str(block);
             if name == "PID" {
-                named.extend(["INTEGRAL".to_owned(), "DERIVATIVE".to_owned()]);
+                named.extend(["INTEGRAL", "DERIVATIVE"]);
             }
         }
     }
     missing
 }
 
-fn of_decl(decl: &Decl, named: &mut HashSet<String>) {
-    of_type(&decl.spec, named);
-}
-
-/// Notes the names of the types that a type is made of, in capitals.
-fn of_type(spec: &TypeSpec, named: &mut HashSet<String>) {
+/// Notes the names of the types that a type is made of.
+fn of_type(spec: &TypeSpec, note: &mut impl FnMut(&str)) {
     match &spec.kind {
-        SpecKind::Named(name) => drop(named.insert(name.text.to_uppercase())),
-        SpecKind::Array(_, of) => of_type(of, named),
-        SpecKind::Struct(members) => members.iter().for_each(|member| of_decl(member, named)),
+        SpecKind::Named(name) => note(&name.text),
+        SpecKind::Array(_, of) => of_type(of, note),
+        SpecKind::Struct(members) => {
+            for member in members {
+                of_type(&member.spec, note);
+            }
+        }
         SpecKind::Text(..) | SpecKind::Enum(_) | SpecKind::Range(..) => {}
     }
 }

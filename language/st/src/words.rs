@@ -47,10 +47,13 @@ impl Keyword {
     /// The keyword that is written so, in letters of any case.
     pub fn of(word: &str) -> Keyword {
         // The longest has 22 letters.
-        if word.len() > 24 {
+        let mut room = [0; 24];
+        let Some(upper) = room.get_mut(..word.len()) else {
             return Keyword::None;
-        }
-        Keyword::of_upper(&word.to_ascii_uppercase())
+        };
+        upper.copy_from_slice(word.as_bytes());
+        upper.make_ascii_uppercase();
+        std::str::from_utf8(upper).map_or(Keyword::None, Keyword::of_upper)
     }
 
     /// Whether it begins a section of variables.

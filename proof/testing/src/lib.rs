@@ -5,10 +5,12 @@
 
 pub mod chart;
 mod languages;
+mod least;
 mod random;
 mod typed;
 
 pub use languages::{Twins, in_languages};
+pub use least::{held, least};
 pub use random::Random;
 pub use typed::typed_program;
 

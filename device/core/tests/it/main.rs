@@ -3,8 +3,10 @@
 mod documents;
 mod fuzzed;
 mod isa;
+mod kept;
 mod links;
 mod loader;
 mod pc;
+mod points;
 mod stored;
 mod timers;

@@ -15,7 +15,10 @@ fn loaded(memory: &mut [u8]) -> Program<'_> {
 #[test]
 fn the_check_sum_is_the_published_one() {
     // The check value of CRC-16/CCITT-FALSE.
-    assert_eq!(Crc16::of(b"123456789").value(), 0x29B1);
+    let mut sum = Crc16::of(b"1234");
+    sum.extend(b"56789");
+    assert_eq!(sum.value(), 0x29B1);
+    assert_eq!(sum.to_be_bytes(), [0x29, 0xB1]);
 }
 
 #[test]

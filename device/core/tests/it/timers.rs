@@ -1,6 +1,6 @@
 //! What no scenario can wait for: weeks of a timer's life (NC-9).
 
-use unoclp_core::{Board, Delay, Image, Loader, Plc};
+use unoclp_core::{Board, Delay, Image, Loader, Plc, Snapshot};
 
 const INPUT: Image = Image(1);
 const NONE: Image = Image(0);
@@ -102,4 +102,34 @@ fn the_state_of_a_timer_can_be_watched() {
             );
         },
     );
+}
+
+/// What another board tells: elapsed time, and the state of what the timer drives.
+#[test]
+fn a_timer_that_is_taken_over_has_the_q_of_its_kind() {
+    let cases = [
+        ("847978", [(0, 0, 0), (999, 0, 0), (1000, 1, 1)]),
+        ("847982", [(0, 0, 0), (999, 0, 0), (1000, 1, 1)]),
+        ("847970", [(0, 0, 0), (0, 1, 1), (999, 1, 1)]),
+        ("8480", [(0, 0, 0), (999, 1, 1), (1000, 0, 0)]),
+    ];
+    for (code, cases) in cases {
+        for (elapsed, on, q) in cases {
+            for target in ["7901", "7701"] {
+                with_plc(&format!("0\n827301\n{code}\n1000\n{target}\n"), |plc| {
+                    let is_output = target == "7901";
+                    let board = Snapshot {
+                        outputs: if is_output { Image(on) } else { NONE },
+                        markers: if is_output { 0 } else { on },
+                        timers: &[(elapsed, 1000)],
+                        ..Snapshot::default()
+                    };
+                    plc.adopt(&board, 5_000);
+                    let timer = plc.timers(5_000).next().unwrap();
+                    let seen = (timer.elapsed, timer.preset, u128::from(timer.q));
+                    assert_eq!(seen, (elapsed, 1000, q), "{code} {target} {on}");
+                });
+            }
+        }
+    }
 }

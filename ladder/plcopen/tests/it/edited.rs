@@ -7,7 +7,7 @@ use crate::round_trip::comes_back;
 use operations::operation;
 use unoclp_core::Board;
 use unoclp_draw::edit::{Document, Editor};
-use unoclp_testing::{Random, rounds};
+use unoclp_testing::{Random, held, rounds};
 
 /// Each on a document of its own, looked at again and again as it grows.
 const RUNS: u32 = 400;
@@ -23,7 +23,7 @@ fn compiles(document: &Document) -> bool {
 #[test]
 fn edited_documents_come_back() {
     let (mut same, mut lost) = (0, 0);
-    for seed in 0..rounds(RUNS) {
+    let mut run = |seed: u32| {
         let random = &mut Random(seed.into());
         let mut editor = Editor::new(Document::new());
         for count in 1..=OPERATIONS {
@@ -36,7 +36,8 @@ fn edited_documents_come_back() {
                 }
             }
         }
-    }
+    };
+    (0..rounds(RUNS)).for_each(|seed| held(|| run(seed)));
     println!("{same} same, {lost} refused");
     assert!(lost < same + same / 10, "{same} same, {lost} refused");
 }

@@ -6,7 +6,7 @@ use unoclp_core::{Image, Inputs, Plc};
 use unoclp_lang::run::Machine;
 use unoclp_lang::typed::{Base, Holds, Symbol, Tree, Value};
 use unoclp_lang::{CompiledText, Severity, TextLanguage, compile_text};
-use unoclp_testing::Random;
+use unoclp_testing::{Random, least};
 
 /// A board with room for anything, so that it is not room that is compared.
 pub fn large() -> Board {
@@ -194,19 +194,21 @@ pub fn none_differs(count: u32, percent: u64, compared: impl Fn(u64) -> Result<b
     for seed in first..first + count {
         match compared(seed) {
             Ok(did) => ran += u64::from(did),
-            Err(why) => wrong.push(why),
+            Err(why) => wrong.push((why, seed)),
         }
     }
-    wrong.sort_by_key(String::len);
+    wrong.sort_by_key(|(why, _)| why.len());
     println!("{ran} of {count} ran, {} differ", wrong.len());
-    let first = wrong.iter().filter_map(|why| why.lines().next());
-    let first: Vec<&str> = first.take(30).collect();
-    let shortest = wrong.first().map_or("", String::as_str);
-    assert!(
-        wrong.is_empty(),
-        "{} differ:\n{}\nthe shortest:\n{shortest}",
-        wrong.len(),
-        first.join("\n")
-    );
+    if let Some((shortest, seed)) = wrong.first() {
+        let first = wrong.iter().filter_map(|(why, _)| why.lines().next());
+        let first: Vec<&str> = first.take(30).collect();
+        let least = least(|| compared(*seed)).err();
+        panic!(
+            "{} differ:\n{}\nthe least of the shortest:\n{}",
+            wrong.len(),
+            first.join("\n"),
+            least.as_ref().unwrap_or(shortest)
+        );
+    }
     assert!(ran * 100 > count * percent, "only {ran} of {count} ran");
 }

@@ -5,7 +5,7 @@
 
 use crate::common::{LARGE, Random, inputs, large, plc};
 use std::collections::HashMap;
-use unoclp_testing::rounds;
+use unoclp_testing::{held, rounds};
 
 /// What the accumulator holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -337,7 +337,7 @@ fn random_programs_do_what_the_course_says() {
     let mut memory = vec![0; 8000];
     let mut refused = 0;
     let programs = rounds(10_000);
-    for seed in 0..u64::from(programs) {
+    let mut run = |seed: u64| {
         let text = random_text(seed);
         let compiled = unoclp_lang::compile(&text, unoclp_lang::TextLanguage::Il, &large());
         // What goes too deep for the board is told, and nothing else is.
@@ -352,7 +352,7 @@ fn random_programs_do_what_the_course_says() {
                 "{seed}:\n{text}{:#?}",
                 compiled.diagnostics
             );
-            continue;
+            return;
         }
         let file = compiled.file().unwrap();
         let mut plc = plc(&file, &mut memory, LARGE);
@@ -407,6 +407,7 @@ fn random_programs_do_what_the_course_says() {
                 );
             }
         }
-    }
+    };
+    (0..u64::from(programs)).for_each(|seed| held(|| run(seed)));
     assert!(refused < programs / 100, "{refused}");
 }

@@ -4,6 +4,7 @@ use super::super::ast::{Name, NodeKind};
 use super::super::pieces::{Declared, Piece, Types};
 use super::Checker;
 use super::units::Of;
+use std::borrow::Cow;
 use unoclp_point::{Kind, Maker, read};
 use unoclp_text::diagnostics::Span;
 use unoclp_tree::build::{Builder, Target};
@@ -28,14 +29,16 @@ impl<'a, 't, 'f> Checker<'a, 't, 'f> {
 
 impl Checker<'_, '_, '_> {
     /// The name of a variable, or the address that it is where nothing declares it: in a list `I1` is `%I1`.
-    pub(super) fn address(&self, name: &str) -> String {
-        let plain = !name.starts_with('%') && self.builder.find(name).is_none();
-        let maker = self.maker.filter(|_| plain);
-        let upper = name.to_uppercase();
-        let point = maker.and_then(|maker| read(&upper, maker));
-        match point.map(|written| written.kind) {
-            Some(Kind::Timer | Kind::Counter) | None => name.to_owned(),
-            Some(_) => format!("%{name}"),
+    pub(super) fn address<'n>(&self, name: &'n str) -> Cow<'n, str> {
+        let is_point = |maker| {
+            let plain = !name.starts_with('%') && self.builder.find(name).is_none();
+            plain
+                && read(&name.to_uppercase(), maker)
+                    .is_some_and(|point| !matches!(point.kind, Kind::Timer | Kind::Counter))
+        };
+        match self.maker.is_some_and(is_point) {
+            true => Cow::Owned(format!("%{name}")),
+            false => Cow::Borrowed(name),
         }
     }
 

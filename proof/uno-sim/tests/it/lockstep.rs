@@ -6,7 +6,7 @@ use unoclp_core::isa::REGISTERS;
 use unoclp_core::{Board, Image, Inputs};
 use unoclp_host_sim::engine::{Cell, Engine, HostEngine};
 use unoclp_host_sim::random::{Random, random_inputs_on, random_program};
-use unoclp_testing::rounds;
+use unoclp_testing::{held, rounds};
 use unoclp_uno_sim::Uno;
 use unoclp_uno_sim::avr8js::Avr8js;
 use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
@@ -43,7 +43,7 @@ fn compare<S: Simulated>(firmware: Program, board: Board, few: u64) {
     let mut uno = FirmwareEngine::<S>::new(firmware, Clock::Lockstep).unwrap();
     let (mut scans, mut changes, mut faults, mut refused) = (0u64, 0u64, 0u64, 0u32);
     let programs = rounds(PROGRAMS).max(LEAST_PROGRAMS);
-    for n in 0..programs {
+    let mut run = |n: u32| {
         let seed = seed.wrapping_add(n.into());
         let random = &mut Random::new(seed);
         let program = random_program(random);
@@ -57,7 +57,7 @@ fn compare<S: Simulated>(firmware: Program, board: Board, few: u64) {
             let first = fault.first().map(|first| Err(first.fault.into()));
             assert_eq!(Some(accepted), first, "seed {seed}:\n{program}");
             refused += 1;
-            continue;
+            return;
         }
         assert_eq!(accepted, Ok(()), "seed {seed} on the firmware:\n{program}");
 
@@ -65,7 +65,8 @@ fn compare<S: Simulated>(firmware: Program, board: Board, few: u64) {
         scans += counts.scans;
         changes += counts.changes;
         faults += counts.faults;
-    }
+    };
+    (0..programs).for_each(|n| held(|| run(n)));
     println!(
         "{programs} random programs, {refused} refused, {scans} scans alike, {changes} changes of outputs or of memory, {faults} faults; seeds from {seed}"
     );

@@ -9,7 +9,7 @@ use unoclp_draw::edit::{
 };
 use unoclp_draw::{Area, Look};
 use unoclp_point::Address;
-use unoclp_testing::{Random, rounds};
+use unoclp_testing::{Random, held, rounds};
 
 /// A seal-in circuit with a timer, a rung that ends in an IF, an empty path, and an empty rung.
 fn document() -> Document {
@@ -152,7 +152,7 @@ fn what_a_screen_asks_for_keeps_its_names() {
 #[test]
 fn a_rung_that_is_not_drawn_again_is_as_if_it_were() {
     let (mut again, mut kept) = (0, 0);
-    for seed in 0..u64::from(rounds(60)) {
+    let mut draw = |seed: u64| {
         let random = &mut Random(seed);
         let mut editor = Editor::new(document());
         let mut before = canvas(editor.document());
@@ -174,6 +174,7 @@ fn a_rung_that_is_not_drawn_again_is_as_if_it_were() {
             kept += now.rungs.len() - new;
             before = now;
         }
-    }
+    };
+    (0..u64::from(rounds(60))).for_each(|seed| held(|| draw(seed)));
     assert!(kept > again, "{kept} of {again}");
 }

@@ -4,7 +4,7 @@ use super::operations::operation;
 use unoclp_core::{Board, Loader};
 use unoclp_draw::Names;
 use unoclp_draw::edit::{Document, Drawn, Editor, visit};
-use unoclp_testing::{Random, rounds};
+use unoclp_testing::{Random, held, rounds};
 
 /// Each on a document of its own.
 const RUNS: u32 = 2_000;
@@ -14,7 +14,7 @@ const OPERATIONS: usize = 500;
 fn a_million_random_operations_can_be_taken_back() {
     let mut seen = Seen::default();
     for seed in 0..rounds(RUNS) {
-        run(seed.into(), &mut seen);
+        held(|| run(seed.into(), &mut seen));
     }
     println!("{seen:?}");
     // Most of what is tried is to be done, or nothing is tried.
