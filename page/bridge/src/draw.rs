@@ -6,9 +6,7 @@ use crate::given::Given;
 use crate::given::wrong;
 use crate::program;
 use crate::words::{self, Both, No, both};
-use unoclp_draw::{Style, to_screen};
-use unoclp_exercise::live::{Boxes, Flow};
-use unoclp_host_sim::engine::Machine;
+use unoclp_draw::{Medium, Style, to_screen};
 use unoclp_program::list::title;
 #[cfg(feature = "full")]
 use unoclp_program::list::{Form, Lost, Paper, list, pages, plcopen, svg};
@@ -100,12 +98,10 @@ pub fn ladder(analysis: &Analysis, width: usize, speak: Speak) -> Result<LadderD
     let (Some(ladder), Some(names)) = (analysis.ladder(), analysis.names()) else {
         return Err(both(words::faulty).into());
     };
-    let start = start(source);
-    let boxes = Boxes::new(source.program());
     let drawing = ladder.draw(&Style {
         width: width.min(WIDEST),
         names,
-        live: &|step| boxes.text(step, &start),
+        medium: Medium::Screen,
     });
     let svg = to_screen(
         &drawing,
@@ -115,16 +111,6 @@ pub fn ladder(analysis: &Analysis, width: usize, speak: Speak) -> Result<LadderD
         &source.name,
     );
     Ok(LadderDrawn { svg })
-}
-
-/// What its timers and counters are before the first scan: boxes are as wide as what they count may become.
-fn start(source: &Source) -> Flow {
-    let mut start = Flow::default();
-    let boxes = Boxes::new(source.program());
-    if let (Some(_), Ok(copy)) = (boxes.steps().next(), source.checked.copy()) {
-        start.look(Machine::new(copy).plc(), 0);
-    }
-    start
 }
 
 /// The widest drawing, columns.

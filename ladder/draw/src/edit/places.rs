@@ -7,7 +7,7 @@ use super::table::Table;
 use crate::drawing::Laid;
 use crate::power::Nets;
 use crate::svg_page::{Labels, OnSheet, tops};
-use crate::{Area, Style, picture};
+use crate::{Area, Medium, Style, picture};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use unoclp_checked::Work;
@@ -124,7 +124,7 @@ impl Drawn {
         let style = Style {
             width,
             names: &names,
-            live: &|_| None,
+            medium: Medium::Screen,
         };
         let before = before.filter(|before| {
             let (columns, _, table) = &before.drawn_with;
@@ -148,7 +148,7 @@ impl Drawn {
             Picture::Known(drawn) => drawn.takes,
             Picture::Laid(laid) => laid.width,
         });
-        let between = Laid::between_rails(widths);
+        let between = style.between_rails(widths);
         let fits = before.is_some_and(|before| before.drawn_with.1 == between);
         let draw = |of, shown, laid| Arc::new(self.drawing(of, shown, laid, between));
         let strips = rungs.into_iter().map(|Planned { of, shown, picture }| {

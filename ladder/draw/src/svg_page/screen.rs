@@ -6,13 +6,15 @@
 //! - `element nN`: a symbol, with the net after it; `data-steps` are its steps among those of the rung, `data-point` what it
 //!   reads or writes
 //! - `value`: an empty text above a box, for what its last step has come to
+//! - `preset`, `count`: the texts beside the pins of a timer or a counter: its preset, and what it has come to, empty
+//! - `rail n0`: the left rail, with power while the program runs; `rail`: the right one
 //!
 //! A style sheet says how they look; nothing here has a colour.
 
 use super::area::Area;
 use super::node::Node;
 use super::page::{Page, of_net};
-use super::{AXIS, COLUMN, GAP, MARGIN, x};
+use super::{COLUMN, GAP, MARGIN};
 use crate::listing::{Title, heading};
 use crate::{Drawing, Element, Ladder, Names, Picture, Rung, Symbol};
 use unoclp_checked::SourceMap;
@@ -94,35 +96,36 @@ pub fn to_screen(
         .written()
 }
 
-/// The group of a symbol, with the area that takes clicks on it.
+/// The group of a symbol, with the area that takes clicks on it. One with pins has its value beside them.
 pub(super) fn named(
     element: &Element,
     rung: &Rung,
     symbol: Node,
-    (from, to): (usize, usize),
-    y: f32,
+    area: Area,
+    has_pins: bool,
 ) -> Node {
-    let (left, right) = (x(from as f32), x(to as f32));
+    let Area { x, y, width, .. } = area;
     let steps = element.steps.iter().map(|step| step - rung.first);
     let steps: Vec<String> = steps.map(|step| step.to_string()).collect();
-    let area = Node::rectangle()
-        .set("class", "area")
-        .set("x", left)
-        .set("y", y - AXIS)
-        .set("width", right - left)
-        .set("height", AXIS + 13.0);
     let mut group = symbol
         .set("class", of_net("element", rung.net(element.net)))
         .set("data-steps", steps.join(" "));
     if let Some(point) = element.point {
         group = group.set("data-point", point.to_string());
     }
-    if matches!(element.symbol, Symbol::Box { .. }) {
+    if matches!(element.symbol, Symbol::Box { .. }) && !has_pins {
         let value = Node::text("")
             .set("class", "value")
-            .set("x", (left + right) / 2.0)
-            .set("y", y - 15.0);
+            .set("x", x + width / 2.0)
+            .set("y", y + 11.0);
         group.add(value);
     }
-    group.with(area)
+    group.with(
+        Node::rectangle()
+            .set("class", "area")
+            .set("x", x)
+            .set("y", y)
+            .set("width", width)
+            .set("height", area.height - 1.0),
+    )
 }

@@ -55,6 +55,7 @@ export class ProgramView {
     this.ladder = new LadderView(byId("ladder"), {
       line: (line) => this.editor.go(line),
       point: (point) => force(this.bench, point),
+      room: () => this.ladderNow(),
     });
     byId("ladder").before(this.bytes);
     byId("drawing").append(this.ladder.zoomButtons());
@@ -155,10 +156,11 @@ export class ProgramView {
   }
 
   private async draw({ text }: Looked): Promise<void> {
-    const key = `${speak.value}\n${text.name}\n${text.text}`;
+    const width = this.ladder.columns();
+    const key = `${width} ${speak.value}\n${text.name}\n${text.text}`;
     if (key === this.drawn) return;
     this.drawn = key;
-    const { svg } = await this.tools.ask("ladder", { of: text, width: 64, speak: speak.value });
+    const { svg } = await this.tools.ask("ladder", { of: text, width, speak: speak.value });
     // Another was asked for meanwhile.
     if (key !== this.drawn) return;
     const hides = BYTES.test(svg) && !["il", "numeric"].includes(this.program.looked.value?.checked.language ?? "") && this.asked !== text.name;

@@ -16,7 +16,7 @@ mod stepped;
 mod traced;
 mod twin;
 
-pub use boxes::Boxes;
+pub use boxes::{Boxes, Now};
 pub use flow::Flow;
 pub use lines::Lines;
 pub use mark::Mark;
