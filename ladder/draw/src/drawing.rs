@@ -92,7 +92,7 @@ impl<'l> Drawing<'l> {
 
 impl Style<'_> {
     /// The columns that a drawing may take.
-    fn limit(&self) -> usize {
+    pub(crate) fn limit(&self) -> usize {
         self.width.max(match self.medium {
             Medium::Screen => NARROWEST_SCREEN,
             Medium::Text(_) | Medium::Paper => NARROWEST,
@@ -120,9 +120,7 @@ pub(crate) struct Laid {
 impl Laid {
     pub(crate) fn new(ladder: &Ladder, rung: &Rung, style: &Style<'_>) -> Laid {
         Work::note(|work| work.rungs += 1);
-        let face = |element: &Element| {
-            Face::new(element, style.names, style.medium)
-        };
+        let face = |element: &Element| Face::new(element, style.names, style.medium);
         let elements = ladder.elements.get(rung.elements.clone());
         let faces: Vec<Face> = elements.into_iter().flatten().map(face).collect();
         let wrap = Wrap {

@@ -1,7 +1,7 @@
 //! How an element looks in characters.
 
-use crate::{Element, Medium, Names, Symbol};
 use crate::pins::Pins;
+use crate::{Element, Medium, Names, Symbol};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// The longest name that is shown whole, in columns.

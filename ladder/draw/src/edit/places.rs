@@ -5,6 +5,7 @@ use super::draw::Drawn;
 use super::operation::Place;
 use super::table::Table;
 use crate::drawing::Laid;
+use crate::listing::wrapped;
 use crate::power::Nets;
 use crate::svg_page::{Labels, OnSheet, tops};
 use crate::{Area, Medium, Style, picture};
@@ -135,7 +136,9 @@ impl Drawn {
         let lay = |shown| Laid::new(&self.ladder, shown, &style);
         let rungs = document.rungs.iter().zip(&self.ladder.rungs);
         let rungs = (1..).zip(rungs).map(|(number, (rung, shown))| {
-            let of = Of::new(rung, shown, heading(rung, title(number), document));
+            let lines = heading(rung, title(number), document);
+            let lines = lines.iter().flat_map(|line| wrapped(line, style.limit()));
+            let of = Of::new(rung, shown, lines.collect());
             let known = known.get(&rung.id).filter(|strip| strip.drawn.of == of);
             let picture = match known {
                 Some(strip) => Picture::Known(strip.drawn.clone()),

@@ -33,7 +33,8 @@ const GAP: f32 = 22.0;
 /// Around all.
 const MARGIN: f32 = 24.0;
 /// The wire's distance from the upper edge of its row.
-const AXIS: f32 = 26.0;
+/// At a half, so that a line of three pixels covers them whole.
+const AXIS: f32 = 26.5;
 /// The height of the symbols, from the wire up and down.
 const HALF: f32 = 9.0;
 /// The width of wires on paper, and of what is drawn as they are.

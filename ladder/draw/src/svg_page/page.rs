@@ -7,6 +7,7 @@ use super::{AXIS, GAP, HEADING, MARGIN, RAIL, TEXT_ROW, WIRE, WIRE_ROW, x};
 use crate::block::Cell;
 use crate::{Drawing, Ladder, Net, Picture, Rung};
 use std::borrow::Cow;
+use std::ops::Range;
 
 pub(super) const SANS: &str = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
 pub(super) const MONO: &str = "'DejaVu Sans Mono', Consolas, Menlo, monospace";
@@ -39,9 +40,15 @@ impl Font {
     /// The pins of a box, on its left and on its right.
     pub(super) const INPUT: Font = Font::new(SANS, 11.5, false, false, "input");
     /// See there.
-    pub(super) const OUTPUT: Font = Font { end: true, ..Font::new(SANS, 11.5, false, false, "output") };
+    pub(super) const OUTPUT: Font = Font {
+        end: true,
+        ..Font::new(SANS, 11.5, false, false, "output")
+    };
     /// What stands before and behind pins.
-    pub(super) const PRESET: Font = Font { end: true, ..Font::new(MONO, 13.0, false, false, "preset") };
+    pub(super) const PRESET: Font = Font {
+        end: true,
+        ..Font::new(MONO, 13.0, false, false, "preset")
+    };
     /// See there.
     pub(super) const COUNT: Font = Font::new(MONO, 13.0, false, false, "count");
     /// Notes and connections.
@@ -201,9 +208,7 @@ impl<'p> Page<'p> {
     pub(super) fn edge(&self) -> Node {
         match self.screen {
             Some(_) => Node::rectangle().set("class", "line box"),
-            None => Node::rectangle()
-                .set("fill", "#ffffff")
-                .set("stroke", INK),
+            None => Node::rectangle().set("fill", "#ffffff").set("stroke", INK),
         }
     }
 
@@ -229,8 +234,8 @@ impl<'p> Page<'p> {
         }
         self.rails(top);
         // Symbols hide the ends of wires.
-        for (row, axes) in picture.rows.iter().zip((0..).map(|row| &axes[row..])) {
-            self.row(row, axes);
+        for row in 0..picture.rows.len() {
+            self.row(&picture.rows[row..], &axes[row..]);
         }
     }
 
@@ -247,8 +252,10 @@ impl<'p> Page<'p> {
     }
 
     /// The symbols and texts of a row: where the wires of it are, and of those below.
-    fn row(&mut self, row: &[Cell], axes: &[f32]) {
-        let Some(&axis) = axes.first() else { return };
+    fn row(&mut self, rows: &[Vec<Cell>], axes: &[f32]) {
+        let ([row, below @ ..], Some(&axis)) = (rows, axes.first()) else {
+            return;
+        };
         let mut column = 0;
         while column < row.len() {
             let cell = row[column];
@@ -271,10 +278,7 @@ impl<'p> Page<'p> {
                 let (tip, up, down) = (right - 2.0, axis - 4.0, axis + 4.0);
                 self.wire(format!("M{left} {axis}H{tip}"), cell.net);
                 let back = tip - 6.0;
-                self.wire(
-                    format!("M{back} {up}L{tip} {axis}L{back} {down}"),
-                    cell.net,
-                );
+                self.wire(format!("M{back} {up}L{tip} {axis}L{back} {down}"), cell.net);
             } else if is_text(cell) {
                 // Words with single blanks between them.
                 let goes_on = |at: usize| row.get(at).is_some_and(|cell| is_text(*cell));
@@ -286,13 +290,27 @@ impl<'p> Page<'p> {
                 if cell.net.is_some() {
                     self.text(x(column as f32), axis + 4.5, &text, &Font::NOTE);
                 } else {
-                    let middle = (column + end) as f32 / 2.0;
-                    self.text(x(middle), axis + 4.5, &text, &Font::NAME);
+                    let (from, to) = symbol_below(below, column..end).unwrap_or((column, end));
+                    let middle = x((from + to) as f32 / 2.0);
+                    self.text(middle, axis + 4.5, &text, &Font::NAME);
                 }
             }
             column = end;
         }
     }
+}
+
+/// The columns of the symbol that a name in these columns is of: it stands in the next row, or in the one after.
+fn symbol_below(rows: &[Vec<Cell>], name: Range<usize>) -> Option<(usize, usize)> {
+    let mut rows = rows.iter().take(2);
+    rows.find_map(|row| {
+        let element = |column: usize| row.get(column).and_then(|cell| cell.element);
+        let within = name.clone().find(|&column| element(column).is_some())?;
+        let is_same = |column: &usize| element(*column) == element(within);
+        let from = (0..=within).rev().take_while(is_same).last()?;
+        let to = (within..row.len()).take_while(is_same).last()? + 1;
+        Some((from, to))
+    })
 }
 
 /// The class of what a net lights: `wire n7`.

@@ -60,7 +60,12 @@ impl Page<'_> {
         let middle = (left + right) / 2.0;
         self.frame((left, right), (y - AXIS, last + HALF - 2.0));
         let address = element.point.map(|point| point.to_string());
-        self.text(middle, y - AXIS - 4.0, &address.unwrap_or_default(), &Font::POINT);
+        self.text(
+            middle,
+            y - AXIS - 4.0,
+            &address.unwrap_or_default(),
+            &Font::POINT,
+        );
         self.text(middle, y - 12.0, pins.title, &Font::LETTER);
         for (row, pin) in [y, last].into_iter().zip(0..) {
             self.text(left + 5.0, row + 4.0, pins.inputs[pin], &Font::INPUT);

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use unoclp_core::{Board, Image, Loader, Plc};
-use unoclp_draw::{Cell, Medium, Ladder, Names, Picture, Style, Symbol};
+use unoclp_draw::{Cell, Ladder, Medium, Names, Picture, Style, Symbol};
 use unoclp_testing::rounds;
 
 /// Random numbers below a limit: Marsaglia's xorshift.

@@ -2,7 +2,7 @@
 
 use unoclp_checked::numeric;
 use unoclp_core::{Board, Loader};
-use unoclp_draw::{Medium, Ladder, Names, Style, listing, to_svg};
+use unoclp_draw::{Ladder, Medium, Names, Style, listing, to_svg};
 use unoclp_point::Address;
 
 /// Draws the codes of one rung.

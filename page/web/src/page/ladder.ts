@@ -12,7 +12,9 @@ const MARGIN = 14;
 /** Units of the drawing: a column, and what is beside them all. */
 const [COLUMN, BESIDE] = [9, 48];
 /** Columns that a drawing may have: a wider one is made larger, a narrower one is scrolled. */
-const [NARROWEST, WIDEST] = [44, 140];
+const [NARROWEST, WIDEST] = [44, 180];
+/** A drawing that fits nearly as it is, is not scaled: its lines cover whole pixels. */
+const NEARLY = 0.04;
 /** Between these the drawing is made to fit, until somebody chooses. */
 const FITS = [0.6, 1.3] as const;
 const ZOOMS = [0.6, 0.7, 0.8, 0.9, 1, 1.15, 1.3, 1.5, 1.8];
@@ -189,7 +191,10 @@ export class LadderView {
     }
     const box = this.svg?.viewBox.baseVal;
     if (!this.svg || !box) return;
-    if (this.fits && this.paper.clientWidth > 0) this.zoom = Math.min(Math.max((this.paper.clientWidth - MARGIN) / box.width, FITS[0]), FITS[1]);
+    if (this.fits && this.paper.clientWidth > 0) {
+      const zoom = (this.paper.clientWidth - MARGIN) / box.width;
+      this.zoom = Math.abs(zoom - 1) < NEARLY ? 1 : Math.min(Math.max(zoom, FITS[0]), FITS[1]);
+    }
     dress(this.svg, { width: Math.round(box.width * this.zoom), height: Math.round(box.height * this.zoom) });
   }
 

@@ -3,7 +3,7 @@
 use super::ON;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
-use unoclp_draw::{Cell, Medium, Ladder, Names, Picture, Power, Style as Drawn};
+use unoclp_draw::{Cell, Ladder, Medium, Names, Picture, Power, Style as Drawn};
 use unoclp_exercise::live::{Boxes, Flow};
 use unoclp_program::{Source, names};
 

@@ -127,12 +127,7 @@ pub fn title(lang: Lang) -> impl Fn(usize, Option<(usize, usize)>) -> String {
     }
 }
 
-fn draw<'l>(
-    ladder: &'l Ladder,
-    names: &Names,
-    width: usize,
-    medium: Medium<'_>,
-) -> Drawing<'l> {
+fn draw<'l>(ladder: &'l Ladder, names: &Names, width: usize, medium: Medium<'_>) -> Drawing<'l> {
     ladder.draw(&Style {
         width,
         names,
