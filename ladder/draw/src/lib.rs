@@ -26,7 +26,8 @@
 //! - **Coils, jumps and returns** leave acc as it is. One that is not the last of its rung gets a branch of its
 //!   own, one below the other at the right rail; but between other elements of a path it stands in series.
 //!   Paths that end a rung and all end in outputs do not come together again.
-//! - **A timer** is its box, and after it the coil that it drives, which is the same step.
+//! - **A timer** is its box, and after it the coil that it drives, which is the same step. In a picture timers and counters
+//!   are boxes with pins: `IN`, `PT`, `Q`, `ET`; `CU` or `CD`, `PV`, `Q`, `CV`. In characters they are `[ TON T1 5000 ms ]`.
 //! - **Functions** of numbers stand in series, as boxes in the order in which they are done.
 //! - **A rung that is too wide** goes on in another line: `→a`, `a→`. Ends of the same name join.
 //!

@@ -37,19 +37,19 @@ impl Font {
     pub(super) const BOXED: Font = Font::new(MONO, 13.5, false, true, "boxed");
     /// What a point is named, over its address.
     pub(super) const NAME: Font = Font::new(SANS, 13.0, false, true, "name");
-    /// The pins of a box, on its left and on its right.
+    /// The pins of a box on its left.
     pub(super) const INPUT: Font = Font::new(SANS, 11.5, false, false, "input");
-    /// See there.
+    /// Those on its right.
     pub(super) const OUTPUT: Font = Font {
         end: true,
         ..Font::new(SANS, 11.5, false, false, "output")
     };
-    /// What stands before and behind pins.
+    /// What a timer or a counter is to reach, before its pin.
     pub(super) const PRESET: Font = Font {
         end: true,
         ..Font::new(MONO, 13.0, false, false, "preset")
     };
-    /// See there.
+    /// What it has come to, behind its pin.
     pub(super) const COUNT: Font = Font::new(MONO, 13.0, false, false, "count");
     /// Notes and connections.
     pub(super) const NOTE: Font = Font::new(MONO, 13.5, false, false, "note");

@@ -67,9 +67,10 @@ impl Page<'_> {
             &Font::POINT,
         );
         self.text(middle, y - 12.0, pins.title, &Font::LETTER);
-        for (row, pin) in [y, last].into_iter().zip(0..) {
-            self.text(left + 5.0, row + 4.0, pins.inputs[pin], &Font::INPUT);
-            self.text(right - 5.0, row + 4.0, pins.outputs[pin], &Font::OUTPUT);
+        let sides = pins.inputs.into_iter().zip(pins.outputs);
+        for (row, (input, output)) in [y, last].into_iter().zip(sides) {
+            self.text(left + 5.0, row + 4.0, input, &Font::INPUT);
+            self.text(right - 5.0, row + 4.0, output, &Font::OUTPUT);
         }
         let stub = |at: f32| format!("M{at} {last}H{}", at + STUB);
         self.line(stub(left - STUB) + &stub(right), SYMBOL);
@@ -80,6 +81,7 @@ impl Page<'_> {
         }
     }
 
+    /// A box between these edges.
     fn frame(&mut self, (left, right): (f32, f32), (above, below): (f32, f32)) {
         let edge = self
             .edge()
