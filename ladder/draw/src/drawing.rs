@@ -11,14 +11,33 @@ use unoclp_checked::Work;
 /// The narrowest drawing: the longest box between the rails, with room to go on after it.
 pub const NARROWEST: usize = 56;
 
+/// The narrowest on a screen, where what is wider can be scrolled: four contacts and a coil.
+const NARROWEST_SCREEN: usize = 44;
+
 /// How a ladder is drawn.
 pub struct Style<'s> {
     /// The columns that a drawing may take, rails included; at least [`NARROWEST`].
     pub width: usize,
     /// What points are called.
     pub names: &'s Names,
-    /// What the box of a step shows in place of its usual text, if not that.
-    pub live: &'s dyn Fn(usize) -> Option<String>,
+    /// What it is drawn for.
+    pub medium: Medium<'s>,
+}
+
+/// What a ladder is drawn for.
+#[derive(Clone, Copy)]
+pub enum Medium<'s> {
+    /// As text. It says what the box of a step shows in place of its usual text, if not that.
+    Text(&'s dyn Fn(usize) -> Option<String>),
+    /// As a picture, whose timers and counters have pins.
+    Paper,
+    /// As a picture that takes all of its columns, and has room for what timers and counters have come to.
+    Screen,
+}
+
+impl Medium<'_> {
+    /// As text, whose boxes are as always.
+    pub const PLAIN: Medium<'static> = Medium::Text(&|_| None);
 }
 
 /// A drawing of a ladder. All rungs are of the same width.
@@ -53,7 +72,7 @@ impl<'l> Drawing<'l> {
         Work::note(|work| work.drawings += 1);
         let lay = |rung| (rung, Laid::new(ladder, rung, style));
         let rungs: Vec<(&Rung, Laid)> = ladder.rungs.iter().map(lay).collect();
-        let width = Laid::between_rails(rungs.iter().map(|(_, laid)| laid.width));
+        let width = style.between_rails(rungs.iter().map(|(_, laid)| laid.width));
         let rungs = rungs.into_iter();
         Drawing {
             ladder,
@@ -78,8 +97,21 @@ impl<'l> Drawing<'l> {
 
 impl Style<'_> {
     /// The columns that a drawing may take.
-    fn limit(&self) -> usize {
-        self.width.max(NARROWEST)
+    pub(crate) fn limit(&self) -> usize {
+        self.width.max(match self.medium {
+            Medium::Screen => NARROWEST_SCREEN,
+            Medium::Text(_) | Medium::Paper => NARROWEST,
+        })
+    }
+
+    /// The columns between the rails of a drawing whose rungs take so many: even a small program has room between its
+    /// contacts and coils.
+    pub(crate) fn between_rails(&self, widths: impl Iterator<Item = usize>) -> usize {
+        let least = match self.medium {
+            Medium::Screen => self.limit(),
+            Medium::Text(_) | Medium::Paper => NARROWEST,
+        };
+        widths.max().unwrap_or(0).max(least - 2)
     }
 }
 
@@ -93,10 +125,7 @@ pub(crate) struct Laid {
 impl Laid {
     pub(crate) fn new(ladder: &Ladder, rung: &Rung, style: &Style<'_>) -> Laid {
         Work::note(|work| work.rungs += 1);
-        let face = |element: &Element| {
-            let live = element.steps.last().and_then(|&step| (style.live)(step));
-            Face::new(element, style.names, live)
-        };
+        let face = |element: &Element| Face::new(element, style.names, style.medium);
         let elements = ladder.elements.get(rung.elements.clone());
         let faces: Vec<Face> = elements.into_iter().flatten().map(face).collect();
         let wrap = Wrap {
@@ -111,12 +140,6 @@ impl Laid {
             blocks,
             width: width.unwrap_or(0),
         }
-    }
-
-    /// The columns between the rails of a drawing whose rungs take so many: even a small program has room between its contacts
-    /// and coils.
-    pub(crate) fn between_rails(widths: impl Iterator<Item = usize>) -> usize {
-        widths.max().unwrap_or(0).max(NARROWEST - 2)
     }
 
     /// The rung in so many columns between the rails.

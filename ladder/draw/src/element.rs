@@ -1,5 +1,6 @@
 //! Elements: the symbols on the wires of a rung.
 
+use crate::pins::Pins;
 use crate::power::{Net, Nets};
 use unoclp_point::Address;
 
@@ -13,6 +14,8 @@ pub struct Element {
     pub symbol: Symbol,
     /// The point whose name stands above it.
     pub point: Option<Address>,
+    /// Its pins, where it is drawn as a box that has some.
+    pub(crate) pins: Option<Pins>,
     /// How it may be arranged.
     pub(crate) role: Role,
     /// The net after it.
@@ -75,6 +78,7 @@ impl Element {
             steps: vec![step],
             symbol,
             point,
+            pins: None,
             role,
             net: Nets::RAIL,
             conducts: step,

@@ -1,6 +1,7 @@
 //! How an element looks in characters.
 
-use crate::{Element, Names, Symbol};
+use crate::pins::Pins;
+use crate::{Element, Medium, Names, Symbol};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// The longest name that is shown whole, in columns.
@@ -18,13 +19,24 @@ pub(crate) struct Face {
     pub(crate) symbol: String,
     /// Below.
     pub(crate) notes: Vec<String>,
+    /// A box with pins: the columns before it and after it.
+    pub(crate) pins: Option<(usize, usize)>,
     /// Columns, of the widest of these.
     pub(crate) width: usize,
 }
 
 impl Face {
-    /// `live` replaces the text of a box.
-    pub(crate) fn new(element: &Element, names: &Names, live: Option<String>) -> Face {
+    /// As it looks in a drawing for this.
+    pub(crate) fn new(element: &Element, names: &Names, medium: Medium<'_>) -> Face {
+        let live = match medium {
+            Medium::Text(live) => element.steps.last().and_then(|&step| live(step)),
+            Medium::Paper | Medium::Screen => None,
+        };
+        let pins = element.pins.as_ref().and_then(|pins| match medium {
+            Medium::Text(_) => None,
+            Medium::Paper => Some((pins.before(), 0)),
+            Medium::Screen => Some((pins.before(), pins.behind())),
+        });
         let mut notes = Vec::new();
         let symbol = match &element.symbol {
             Symbol::Contact { closed, text } => {
@@ -34,6 +46,7 @@ impl Face {
             Symbol::Coil { letter: '/', text } => format!("(/{text} )"),
             Symbol::Coil { letter: ' ', text } => format!("( {text} )"),
             Symbol::Coil { letter, text } => format!("({letter} {text})"),
+            Symbol::Box { .. } if pins.is_some() => Pins::text(),
             Symbol::Box { text, notes: below } => {
                 notes.clone_from(below);
                 format!("[ {} ]", live.as_ref().unwrap_or(text))
@@ -46,11 +59,13 @@ impl Face {
         let name = name.map(|name| shorten(name, LONGEST_NAME));
         let indented = notes.iter().map(|note| INDENT + note.width());
         let texts = name.iter().chain([&symbol]).map(|text| text.width());
-        let width = texts.chain(indented).max().unwrap_or(0);
+        let beside = pins.map_or(0, |(before, behind)| before + Pins::BOX + behind);
+        let width = texts.chain(indented).max().unwrap_or(0).max(beside);
         Face {
             name,
             symbol,
             notes,
+            pins,
             width,
         }
     }

@@ -102,24 +102,39 @@ impl Wrap<'_> {
         };
         let net = self.ladder.elements[index].net;
         // Notes stand below the beginning, names above the middle.
-        let spare = match face.notes[..] {
-            [] => face.width.saturating_sub(face.symbol.width()) / 2,
+        let spare = match (&face.notes[..], face.pins) {
+            (_, Some((before, _))) => before,
+            ([], None) => face.width.saturating_sub(face.symbol.width()) / 2,
             _ => 0,
         };
         let mut row = vec![Cell::wire(before); spare];
         row.extend(cells(&face.symbol, Some(net), Some(index)));
         row.resize(face.width, Cell::wire(net));
         let mut block = Block::row(row);
+        if face.pins.is_some() {
+            // Its address is above it, and its second row of pins below the wire.
+            let mut row = vec![Cell::BLANK; spare];
+            let blank = " ".repeat(face.symbol.width());
+            row.extend(cells(&blank, Some(net), Some(index)));
+            block.rows.push(row);
+            block.rows.insert(0, Vec::new());
+            block.axis = 1;
+        }
         if let Some(name) = &face.name {
-            let spare = face.width.saturating_sub(name.width());
-            let mut row = vec![Cell::BLANK; spare.div_ceil(2)];
+            let middle = 2 * spare + face.symbol.width();
+            let room = face.width.saturating_sub(name.width());
+            let before = match face.pins {
+                Some(_) => (middle.saturating_sub(name.width()) / 2).min(room),
+                None => room.div_ceil(2),
+            };
+            let mut row = vec![Cell::BLANK; before];
             row.extend(cells(name, None, None));
             block.rows.insert(0, row);
-            block.axis = 1;
+            block.axis += 1;
         }
         for note in &face.notes {
             let mut row = vec![Cell::BLANK; INDENT];
-            row.extend(cells(note, None, None));
+            row.extend(cells(note, Some(net), None));
             block.rows.push(row);
         }
         block.square();

@@ -27,7 +27,8 @@
 //! - **Coils, jumps and returns** leave acc as it is. One that is not the last of its rung gets a branch of its
 //!   own, one below the other at the right rail; but between other elements of a path it stands in series.
 //!   Paths that end a rung and all end in outputs do not come together again.
-//! - **A timer** is its box, and after it the coil that it drives, which is the same step.
+//! - **A timer** is its box, and after it the coil that it drives, which is the same step. In a picture timers and counters
+//!   are boxes with pins: `IN`, `PT`, `Q`, `ET`; `CU` or `CD`, `PV`, `Q`, `CV`. In characters they are `[ TON T1 5000 ms ]`.
 //! - **Functions** of numbers stand in series, as boxes in the order in which they are done.
 //! - **A rung that is too wide** goes on in another line: `→a`, `a→`. Ends of the same name join.
 //!
@@ -49,6 +50,7 @@ mod fork;
 mod ladder;
 mod layout;
 mod listing;
+mod pins;
 mod power;
 mod stores;
 mod svg_page;
@@ -60,10 +62,11 @@ mod wrap;
 
 pub use block::Cell;
 pub use blocks::Look;
-pub use drawing::{Drawing, NARROWEST, Picture, Style};
+pub use drawing::{Drawing, Medium, NARROWEST, Picture, Style};
 pub use element::{Element, Symbol};
 pub use ladder::{Ladder, Rung};
 pub use listing::{Title, listing};
+pub use pins::time;
 pub use power::{Net, Nets, Power};
 pub use svg_page::{Area, Paper, Report, to_blocks, to_report, to_screen, to_svg};
 pub use words::picture;

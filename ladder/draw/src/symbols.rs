@@ -1,6 +1,7 @@
 //! What an instruction looks like.
 
 use crate::element::Role;
+use crate::pins::Pins;
 use crate::tree::Gate;
 use crate::value::Load;
 use crate::words::{VALUE, amount, picture, words};
@@ -25,7 +26,8 @@ impl Element {
             let point = Address::Timer(timer);
             let preset = amount(block.preset.cast_signed());
             let text = format!("{words} {point} {preset} ms");
-            let timer = Element::boxed(step, Role::Function, text, Some(point));
+            let mut timer = Element::boxed(step, Role::Function, text, Some(point));
+            timer.pins = Pins::of(instruction);
             let mut coil = Element::coil(step, ' ', block.target.into());
             coil.steps.clear();
             return vec![timer, coil];
@@ -74,6 +76,7 @@ impl Element {
                 {
                     *notes = drum_notes(steps);
                 }
+                element.pins = Pins::of(instruction);
                 element
             }
             // These are wires, and a timer has its box and its coil.

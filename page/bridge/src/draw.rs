@@ -4,9 +4,7 @@ use crate::answer::answer;
 use crate::given::Given;
 use crate::program;
 use crate::words::{self, Both, No, both};
-use unoclp_draw::{Look, Style, to_blocks, to_screen};
-use unoclp_exercise::live::{Boxes, Flow};
-use unoclp_host_sim::engine::Machine;
+use unoclp_draw::{Look, Medium, Style, to_blocks, to_screen};
 use unoclp_program::list::title;
 #[cfg(feature = "full")]
 use unoclp_program::list::{Form, Lost, Paper, list, pages, plcopen, svg};
@@ -94,12 +92,10 @@ pub fn ladder(
     let (Some(ladder), Some(names)) = (analysis.ladder(), analysis.names()) else {
         return Err(both(words::faulty).into());
     };
-    let start = start(source);
-    let boxes = Boxes::new(source.program());
     let style = Style {
         width: width.min(WIDEST),
         names,
-        live: &|step| boxes.text(step, &start),
+        medium: Medium::Screen,
     };
     let (map, title, label) = (&source.map, title(speak.into()), &source.name);
     let svg = match look {
@@ -108,16 +104,6 @@ pub fn ladder(
     };
     let code = source.is_code();
     Ok(LadderDrawn { svg, code })
-}
-
-/// What its timers and counters are before the first scan: boxes are as wide as what they count may become.
-fn start(source: &Source) -> Flow {
-    let mut start = Flow::default();
-    let boxes = Boxes::new(source.program());
-    if let (Some(_), Ok(copy)) = (boxes.steps().next(), source.checked.copy()) {
-        start.look(Machine::new(copy).plc(), 0);
-    }
-    start
 }
 
 /// The widest drawing, columns.

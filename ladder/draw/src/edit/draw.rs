@@ -3,7 +3,7 @@
 use super::document::{Document, Id};
 use super::emit::{Code, Emitted, What};
 use super::shown;
-use crate::{Drawing, Ladder, Names, Style};
+use crate::{Drawing, Ladder, Medium, Names, Style};
 use unoclp_core::Instruction;
 
 /// A document as a ladder. What is missing in it shows as `?`; where nothing is wrong, it is the ladder of its codes.
@@ -35,7 +35,7 @@ impl Drawn {
         self.ladder.draw(&Style {
             width,
             names,
-            live: &|_| None,
+            medium: Medium::PLAIN,
         })
     }
 }

@@ -4,10 +4,10 @@ use super::document::{Document, Id, Rung};
 use super::draw::Drawn;
 use super::operation::Place;
 use super::table::Table;
-use crate::drawing::Laid;
+use crate::listing::wrapped;
 use crate::power::Nets;
 use crate::svg_page::{Labels, OnSheet, Shape, tops};
-use crate::{Area, Look, Style, picture};
+use crate::{Area, Look, Medium, Style, picture};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use unoclp_checked::Work;
@@ -125,7 +125,7 @@ impl Drawn {
         let style = Style {
             width,
             names: &names,
-            live: &|_| None,
+            medium: Medium::Screen,
         };
         let before = before.filter(|before| {
             let (known, columns, _, table) = &before.drawn_with;
@@ -136,7 +136,9 @@ impl Drawn {
         let lay = |shown| Shape::new(&self.ladder, shown, look, &style);
         let rungs = document.rungs.iter().zip(&self.ladder.rungs);
         let rungs = (1..).zip(rungs).map(|(number, (rung, shown))| {
-            let of = Of::new(rung, shown, heading(rung, title(number), document));
+            let lines = heading(rung, title(number), document);
+            let lines = lines.iter().flat_map(|line| wrapped(line, style.limit()));
+            let of = Of::new(rung, shown, lines.collect());
             let known = known.get(&rung.id).filter(|strip| strip.drawn.of == of);
             let picture = match known {
                 Some(strip) => Picture::Known(strip.drawn.clone()),
@@ -149,7 +151,7 @@ impl Drawn {
             Picture::Known(drawn) => drawn.takes,
             Picture::Laid(shape) => shape.columns(),
         });
-        let between = Laid::between_rails(widths);
+        let between = style.between_rails(widths);
         let fits = before.is_some_and(|before| before.drawn_with.2 == between);
         let draw = |of, shown, shape| Arc::new(self.drawing(of, shown, shape, between));
         let strips = rungs.into_iter().map(|Planned { of, shown, picture }| {

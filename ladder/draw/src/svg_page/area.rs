@@ -1,6 +1,6 @@
 //! Where something stands on a sheet.
 
-use super::{AXIS, WIRE_ROW, x};
+use super::{AXIS, TEXT_ROW, WIRE_ROW, x};
 
 /// A rectangle of a sheet, in its units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,6 +24,17 @@ impl Area {
             y: wire - AXIS,
             width: right - left,
             height: WIRE_ROW,
+        }
+    }
+
+    /// That of a box with pins, from its address in the row above to its last row of pins.
+    pub(super) fn of_box(columns: (usize, usize), wire: f32, last: f32) -> Area {
+        let symbol = Area::of_symbol(columns, wire);
+        let y = symbol.y - TEXT_ROW + 2.0;
+        Area {
+            y,
+            height: last + TEXT_ROW / 2.0 - y,
+            ..symbol
         }
     }
 }

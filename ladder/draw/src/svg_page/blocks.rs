@@ -120,8 +120,7 @@ impl Words {
                 width,
             };
         };
-        let live = element.steps.last().and_then(|&step| (style.live)(step));
-        let face = Face::new(element, style.names, live.clone());
+        let face = Face::new(element, style.names, style.medium);
         let text = match &element.symbol {
             Symbol::Contact { text, .. } => text.clone(),
             Symbol::Inline(text) => (*text).to_owned(),
@@ -129,12 +128,18 @@ impl Words {
                 ' ' | '/' => text.clone(),
                 letter => format!("{letter} {text}"),
             },
-            Symbol::Box { text, .. } => live.unwrap_or_else(|| text.clone()),
+            Symbol::Box { text, .. } => match (&element.pins, element.point) {
+                (Some(pins), Some(point)) => format!("{} {point}", pins.title),
+                (Some(pins), None) => pins.title.to_owned(),
+                (None, _) => text.clone(),
+            },
             Symbol::Leave { text, .. } => text.clone(),
         };
         let notes = face.notes.iter().map(|note| note.width() + 2);
         let texts = [text.width() + 2].into_iter().chain(notes);
         let texts = texts.chain(face.name.iter().map(|name| name.width()));
+        let pins = element.pins.iter();
+        let texts = texts.chain(pins.map(|pins| pins.before() + pins.behind() + 2));
         Words {
             width: texts.max().unwrap_or(0) as f32 * COLUMN,
             name: face.name,
@@ -232,13 +237,18 @@ impl Page<'_> {
         {
             self.text(right + 2.0, above + 2.0, &order.to_string(), &Font::ORDER);
         }
-        let inner = std::mem::replace(&mut self.group, outer);
         let index = match vertex.kind {
             Kind::Value(index) | Kind::Box(index) | Kind::Output(index) => Some(index),
             Kind::Gate(_, index) => index,
             Kind::Named(_) | Kind::Store(_) => None,
         };
         let element = index.and_then(|index| self.ladder.elements.get(index));
+        if let Some(pins) = element.and_then(|element| element.pins.as_ref()) {
+            let middle = (left + right) / 2.0;
+            self.text(middle - 4.0, below + 13.0, &pins.preset, &Font::PRESET);
+            self.text(middle + 4.0, below + 13.0, "", &Font::COUNT);
+        }
+        let inner = std::mem::replace(&mut self.group, outer);
         let (Some(rung), Some(index), Some(element)) = (self.screen, index, element) else {
             return self.add(inner);
         };
@@ -248,7 +258,8 @@ impl Page<'_> {
             width: right - left,
             height: below - above + 20.0,
         };
-        let mut named = screen::named_at(element, rung, inner, area, below + 11.0);
+        let value = element.pins.is_none().then_some(below + 11.0);
+        let mut named = screen::named_at(element, rung, inner, area, value);
         if let Some(says) = &vertex.says {
             named = named.set("data-says", &**says);
         }

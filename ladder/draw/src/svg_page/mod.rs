@@ -35,9 +35,16 @@ const GAP: f32 = 22.0;
 /// Around all.
 const MARGIN: f32 = 24.0;
 /// The wire's distance from the upper edge of its row.
-const AXIS: f32 = 26.0;
+/// At a half, so that a line of three pixels covers them whole.
+const AXIS: f32 = 26.5;
 /// The height of the symbols, from the wire up and down.
 const HALF: f32 = 9.0;
+/// The width of wires on paper, and of what is drawn as they are.
+const WIRE: f32 = 1.8;
+/// The width of contacts, coils and boxes.
+const SYMBOL: f32 = 2.2;
+/// The width of rails on paper.
+const RAIL: f32 = 3.4;
 /// Millimetres of a unit: 80 columns go on a page of A4 with its margins.
 const MILLIMETRES: f32 = 0.225;
 

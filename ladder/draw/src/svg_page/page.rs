@@ -3,10 +3,11 @@
 use super::area::Area;
 use super::node::{Node, data, digits};
 use super::wires::{Wires, arms, horizontal, is_rail, is_text, vertical};
-use super::{AXIS, GAP, HEADING, MARGIN, TEXT_ROW, WIRE_ROW, x};
+use super::{AXIS, GAP, HEADING, MARGIN, RAIL, TEXT_ROW, WIRE, WIRE_ROW, x};
 use crate::block::Cell;
 use crate::{Drawing, Ladder, Net, Picture, Rung};
 use std::borrow::Cow;
+use std::ops::Range;
 
 pub(super) const SANS: &str = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
 pub(super) const MONO: &str = "'DejaVu Sans Mono', Consolas, Menlo, monospace";
@@ -18,6 +19,8 @@ pub(super) struct Font {
     pub(super) size: f32,
     bold: bool,
     centred: bool,
+    /// Whether it ends where it is, and begins elsewhere.
+    end: bool,
     /// What a style sheet calls it.
     class: &'static str,
 }
@@ -34,7 +37,23 @@ impl Font {
     pub(super) const BOXED: Font = Font::new(MONO, 13.5, false, true, "boxed");
     /// When a block runs.
     pub(super) const ORDER: Font = Font::new(SANS, 10.0, false, false, "order");
-    /// Names, notes and connections.
+    /// What a point is named, over its address.
+    pub(super) const NAME: Font = Font::new(SANS, 13.0, false, true, "name");
+    /// The pins of a box on its left.
+    pub(super) const INPUT: Font = Font::new(SANS, 11.5, false, false, "input");
+    /// Those on its right.
+    pub(super) const OUTPUT: Font = Font {
+        end: true,
+        ..Font::new(SANS, 11.5, false, false, "output")
+    };
+    /// What a timer or a counter is to reach, before its pin.
+    pub(super) const PRESET: Font = Font {
+        end: true,
+        ..Font::new(MONO, 13.0, false, false, "preset")
+    };
+    /// What it has come to, behind its pin.
+    pub(super) const COUNT: Font = Font::new(MONO, 13.0, false, false, "count");
+    /// Notes and connections.
     pub(super) const NOTE: Font = Font::new(MONO, 13.5, false, false, "note");
 
     pub(super) const fn new(
@@ -49,6 +68,7 @@ impl Font {
             size,
             bold,
             centred,
+            end: false,
             class,
         }
     }
@@ -62,7 +82,14 @@ impl Font {
             .set("font-family", self.family)
             .set("font-size", self.size)
             .set("font-weight", if self.bold { "bold" } else { "normal" })
-            .set("text-anchor", if self.centred { "middle" } else { "start" })
+            .set(
+                "text-anchor",
+                match (self.centred, self.end) {
+                    (true, _) => "middle",
+                    (false, true) => "end",
+                    (false, false) => "start",
+                },
+            )
     }
 }
 
@@ -158,7 +185,7 @@ impl<'p> Page<'p> {
     /// A wire; on a screen one that its net can light.
     pub(super) fn wire(&mut self, data: String, net: Option<Net>) {
         let Some(rung) = self.screen else {
-            return self.line(data, 1.4);
+            return self.line(data, WIRE);
         };
         let wire = Node::path().set("d", data);
         self.add(match net {
@@ -178,7 +205,7 @@ impl<'p> Page<'p> {
         let left = data(&[('M', &[left.0, y]), ('H', &[left.1])]);
         let right = data(&[('M', &[right.0, y]), ('H', &[right.1])]);
         if self.screen.is_none() {
-            return self.line(left + &right, 1.4);
+            return self.line(left + &right, WIRE);
         }
         self.wire(left, before);
         self.wire(right, Some(behind));
@@ -187,8 +214,8 @@ impl<'p> Page<'p> {
     /// The edge of a box.
     pub(super) fn edge(&self) -> Node {
         match self.screen {
-            Some(_) => Node::rectangle().set("class", "line"),
-            None => Node::rectangle().set("fill", "none").set("stroke", INK),
+            Some(_) => Node::rectangle().set("class", "line box"),
+            None => Node::rectangle().set("fill", "#ffffff").set("stroke", INK),
         }
     }
 
@@ -204,7 +231,6 @@ impl<'p> Page<'p> {
         }
         let mut wires = Wires::new(self.screen.is_some());
         for (index, row) in picture.rows.iter().enumerate() {
-            self.row(row, axes[index]);
             horizontal(row, axes[index], &mut wires);
             if let Some(next) = picture.rows.get(index + 1) {
                 vertical(row, next, axes[index], axes[index + 1], &mut wires);
@@ -213,14 +239,30 @@ impl<'p> Page<'p> {
         for (net, data) in wires.paths {
             self.wire(data, net);
         }
-        let right = (self.width - 1) as f32;
-        let rail = |column| data(&[('M', &[x(column + 0.5), top]), ('V', &[self.y])]);
-        let rails = [0.0, right].map(rail);
-        self.line(rails.concat(), 2.6);
+        self.rails(top);
+        // Symbols hide the ends of wires.
+        for row in 0..picture.rows.len() {
+            self.row(&picture.rows[row..], &axes[row..]);
+        }
     }
 
-    /// The symbols and texts of a row.
-    fn row(&mut self, row: &[Cell], axis: f32) {
+    /// From the top of a rung to where it ends; the left one has power while the program runs.
+    fn rails(&mut self, top: f32) {
+        let right = (self.width - 1) as f32;
+        for (column, class) in [(0.0, "rail n0"), (right, "rail")] {
+            let rail = data(&[('M', &[x(column + 0.5), top]), ('V', &[self.y])]);
+            match self.screen {
+                Some(_) => self.add(Node::path().set("d", rail).set("class", class)),
+                None => self.line(rail, RAIL),
+            }
+        }
+    }
+
+    /// The symbols and texts of a row: where the wires of it are, and of those below.
+    fn row(&mut self, rows: &[Vec<Cell>], axes: &[f32]) {
+        let ([row, below @ ..], Some(&axis)) = (rows, axes.first()) else {
+            return;
+        };
         let mut column = 0;
         while column < row.len() {
             let cell = row[column];
@@ -234,13 +276,16 @@ impl<'p> Page<'p> {
                 }
                 let text: String = row[column..end].iter().map(|cell| cell.ch).collect();
                 let before = column.checked_sub(1).and_then(|before| row[before].net);
-                self.element(element, &text, (column, end), axis, before);
+                // A box is drawn at its wire, with all that is below it.
+                if !text.trim().is_empty() {
+                    self.element(element, &text, (column, end), axes, before);
+                }
             } else if cell.ch == '→' {
                 let (left, right) = (x(column as f32), x(end as f32));
                 let (tip, up, down) = (right - 2.0, axis - 4.0, axis + 4.0);
-                self.line(format!("M{left} {axis}H{tip}"), 1.4);
+                self.wire(format!("M{left} {axis}H{tip}"), cell.net);
                 let back = tip - 6.0;
-                self.line(format!("M{back} {up}L{tip} {axis}L{back} {down}"), 1.4);
+                self.wire(format!("M{back} {up}L{tip} {axis}L{back} {down}"), cell.net);
             } else if is_text(cell) {
                 // Words with single blanks between them.
                 let goes_on = |at: usize| row.get(at).is_some_and(|cell| is_text(*cell));
@@ -249,11 +294,30 @@ impl<'p> Page<'p> {
                 }
                 let text: String = row[column..end].iter().map(|cell| cell.ch).collect();
                 let text = text.replace('\0', "");
-                self.text(x(column as f32), axis + 4.5, &text, &Font::NOTE);
+                if cell.net.is_some() {
+                    self.text(x(column as f32), axis + 4.5, &text, &Font::NOTE);
+                } else {
+                    let (from, to) = symbol_below(below, column..end).unwrap_or((column, end));
+                    let middle = x((from + to) as f32 / 2.0);
+                    self.text(middle, axis + 4.5, &text, &Font::NAME);
+                }
             }
             column = end;
         }
     }
+}
+
+/// The columns of the symbol that a name in these columns is of: it stands in the next row, or in the one after.
+fn symbol_below(rows: &[Vec<Cell>], name: Range<usize>) -> Option<(usize, usize)> {
+    let mut rows = rows.iter().take(2);
+    rows.find_map(|row| {
+        let element = |column: usize| row.get(column).and_then(|cell| cell.element);
+        let within = name.clone().find(|&column| element(column).is_some())?;
+        let is_same = |column: &usize| element(*column) == element(within);
+        let from = (0..=within).rev().take_while(is_same).last()?;
+        let to = (within..row.len()).take_while(is_same).last()? + 1;
+        Some((from, to))
+    })
 }
 
 /// The class of what a net lights: `wire n7`.

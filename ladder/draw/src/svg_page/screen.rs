@@ -6,6 +6,8 @@
 //! - `element nN`: a symbol, with the net after it; `data-steps` are its steps among those of the rung, `data-point` what it
 //!   reads or writes
 //! - `value`: an empty text above a box, for what its last step has come to
+//! - `preset`, `count`: the texts beside the pins of a timer or a counter: its preset, and what it has come to, empty
+//! - `rail n0`: the left rail, with power while the program runs; `rail`: the right one
 //!
 //! A style sheet says how they look; nothing here has a colour.
 
@@ -13,7 +15,7 @@ use super::area::Area;
 use super::blocks::Diagram;
 use super::node::Node;
 use super::page::{Page, of_net};
-use super::{AXIS, COLUMN, GAP, MARGIN, x};
+use super::{COLUMN, GAP, MARGIN};
 use crate::listing::{Title, heading};
 use crate::{Drawing, Element, Ladder, NARROWEST, Names, Picture, Rung, Style, Symbol};
 use unoclp_checked::{SourceMap, Work};
@@ -149,31 +151,26 @@ fn screen(
         .written()
 }
 
-/// The group of a symbol, with the area that takes clicks on it.
+/// The group of a symbol, with the area that takes clicks on it. One with pins has its value beside them.
 pub(super) fn named(
     element: &Element,
     rung: &Rung,
     symbol: Node,
-    (from, to): (usize, usize),
-    y: f32,
+    area: Area,
+    has_pins: bool,
 ) -> Node {
-    let (left, right) = (x(from as f32), x(to as f32));
-    let area = Area {
-        x: left,
-        y: y - AXIS,
-        width: right - left,
-        height: AXIS + 13.0,
-    };
-    named_at(element, rung, symbol, area, y - 15.0)
+    let value = (!has_pins).then_some(area.y + 11.0);
+    let height = area.height - 1.0;
+    named_at(element, rung, symbol, Area { height, ..area }, value)
 }
 
-/// The same of a symbol that takes clicks there, and shows its value at this height.
+/// The same of a symbol that takes clicks there, and shows its value at this height, if at all.
 pub(super) fn named_at(
     element: &Element,
     rung: &Rung,
     symbol: Node,
     area: Area,
-    value: f32,
+    value: Option<f32>,
 ) -> Node {
     let steps = element.steps.iter().map(|step| step - rung.first);
     let steps: Vec<String> = steps.map(|step| step.to_string()).collect();
@@ -189,11 +186,11 @@ pub(super) fn named_at(
     if let Some(point) = element.point {
         group = group.set("data-point", point.to_string());
     }
-    if matches!(element.symbol, Symbol::Box { .. }) {
+    if let (Symbol::Box { .. }, Some(y)) = (&element.symbol, value) {
         let value = Node::text("")
             .set("class", "value")
             .set("x", area.x + area.width / 2.0)
-            .set("y", value);
+            .set("y", y);
         group.add(value);
     }
     group.with(target)

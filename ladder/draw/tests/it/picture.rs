@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use unoclp_core::{Board, Image, Loader, Plc};
-use unoclp_draw::{Cell, Ladder, Names, Picture, Style, Symbol};
+use unoclp_draw::{Cell, Ladder, Medium, Names, Picture, Style, Symbol};
 use unoclp_testing::rounds;
 
 /// Random numbers below a limit: Marsaglia's xorshift.
@@ -71,7 +71,7 @@ fn power_flows_in_random_pictures_as_it_does_in_the_scan() {
         let style = Style {
             width,
             names: &Names::new(),
-            live: &|_| None,
+            medium: Medium::PLAIN,
         };
         let drawing = ladder.draw(&style);
         let picture = &drawing.rungs[0];

@@ -2,7 +2,7 @@
 
 use unoclp_checked::numeric;
 use unoclp_core::{Board, Loader};
-use unoclp_draw::{Ladder, Names, Style, listing, to_svg};
+use unoclp_draw::{Ladder, Medium, Names, Style, listing, to_svg};
 use unoclp_point::Address;
 
 /// Draws the codes of one rung.
@@ -20,7 +20,7 @@ fn drawn(codes: &str, names: &[(Address, &str)], width: usize) -> String {
     let drawing = ladder.draw(&Style {
         width,
         names: &names,
-        live: &|_| None,
+        medium: Medium::PLAIN,
     });
     drawing.rungs[0].to_string()
 }
@@ -184,7 +184,7 @@ fn a_listing_tells_rungs_lines_comments_and_labels() {
     let style = Style {
         width: 80,
         names: &names,
-        live: &|_| None,
+        medium: Medium::PLAIN,
     };
     let drawing = ladder.draw(&style);
     let expected = "\
@@ -203,14 +203,45 @@ L3: again
         format!("Rung {number}, lines {from} to {to}")
     };
     assert_eq!(listing(&drawing, &map, &names, &title), expected);
+    let medium = Medium::Paper;
+    let drawing = ladder.draw(&Style { medium, ..style });
     let svg = to_svg(&drawing, &map, &names, &title, "A < B & C");
+    // A timer is a box with pins, its address above it.
     for part in [
         "<svg ",
         "A &lt; B &amp; C",
         "Rung 2, lines 9 to 16",
         "L3: again",
-        "TON T1 5 ms",
+        ">T1</text>",
+        ">TON</text>",
+        ">IN</text>",
+        ">PT</text>",
+        ">T#5ms</text>",
+        ">Q</text>",
+        ">ET</text>",
     ] {
         assert!(svg.contains(part), "{part} is missing in\n{svg}");
+    }
+    assert!(!svg.contains("TON T1"), "{svg}");
+}
+
+/// What is wider than that is scrolled; coils stand at the right rail of all.
+#[test]
+fn a_drawing_for_a_screen_takes_the_columns_that_there_are() {
+    let codes = "0 827301 877901 787600 827302 67848503 10 877902";
+    let (checked, _) = numeric(codes.replace(' ', "\n").as_bytes(), Board::UNO).unwrap();
+    let ladder = Ladder::new(checked.program().steps());
+    for (width, taken) in [(30, 44), (44, 44), (100, 100)] {
+        let drawing = ladder.draw(&Style {
+            width,
+            names: &Names::new(),
+            medium: Medium::Screen,
+        });
+        assert_eq!(drawing.width, taken);
+        for rung in &drawing.rungs {
+            let axis: String = rung.rows[rung.axis].iter().map(|cell| cell.ch).collect();
+            assert!(axis.ends_with("─┤") && axis.contains("( Q"), "{axis}");
+            assert!(rung.rows.iter().all(|row| row.len() == taken));
+        }
     }
 }

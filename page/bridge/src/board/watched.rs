@@ -10,8 +10,8 @@ use unoclp_client::map::State;
 use unoclp_client::watch::{Reading, Scope};
 use unoclp_core::isa::Class;
 use unoclp_core::{Fault, Image, Inputs, Millis};
-use unoclp_draw::{Ladder, Nets, Symbol};
-use unoclp_exercise::live::{Boxes, Flow, Lines, Mark, Twin};
+use unoclp_draw::{Ladder, Nets, Symbol, time};
+use unoclp_exercise::live::{Boxes, Flow, Lines, Mark, Now, Twin};
 use unoclp_host_sim::engine::Machine;
 use unoclp_program::Source;
 use unoclp_program::used::is_real;
@@ -38,8 +38,8 @@ answer! {
     pub struct Live as "Live" {
         /// The nets that carry power.
         nets: Vec<u32>,
-        /// Steps, and what their boxes say.
-        boxes: Vec<(usize, String)>,
+        /// Steps of timers and counters, their presets and what they have come to.
+        boxes: Vec<(usize, String, String)>,
         /// Steps, and the value after them.
         values: Vec<(usize, Number)>,
         /// For each line of the text: null, whether it has power, a number, or the literal of another type: `T#1s`.
@@ -144,11 +144,16 @@ impl Watched {
                 Err(_) => Shown::Literal(value),
             },
         };
-        let text = |step| Some((step, self.boxes.text(step, flow)?));
+        let count = |step| {
+            Some(match self.boxes.now(step, flow)? {
+                Now::Time { preset, elapsed } => (step, time(preset), time(elapsed)),
+                Now::Events { preset, value } => (step, preset.to_string(), value.to_string()),
+            })
+        };
         let values = self.values.iter();
         Live {
             nets: self.nets.power(&flow.acc).on().collect(),
-            boxes: self.boxes.steps().filter_map(text).collect(),
+            boxes: self.boxes.steps().filter_map(count).collect(),
             values: values
                 .filter_map(|&(step, behind, is_real)| {
                     let value = flow.value(behind)?;

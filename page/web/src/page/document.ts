@@ -169,7 +169,8 @@ export function stemOf(name: string): string {
 /** Whether what was kept, or came in a file, is a drawing. */
 export function isDrawing(found: unknown): found is Drawing {
   const drawing = found as Partial<Drawing> | null | undefined;
-  return typeof drawing?.name === "string" && typeof drawing.text === "string" && Array.isArray(drawing.log) && typeof drawing.base?.text === "string";
+  return typeof drawing?.name === "string" && typeof drawing.text === "string" && Array.isArray(drawing.log) && typeof drawing.base?.text === "string" &&
+    (drawing.lacks === undefined || typeof drawing.lacks === "number");
 }
 
 function lastDrawing(): Drawing | null {

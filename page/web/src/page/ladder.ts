@@ -10,6 +10,12 @@ import { forcedNames } from "./points";
 
 /** CSS pixels beside the drawing. */
 const MARGIN = 14;
+/** Units of the drawing: a column, and what is beside them all. */
+const [COLUMN, BESIDE] = [9, 48];
+/** Columns that a drawing may have: a wider one is made larger, a narrower one is scrolled. */
+const [NARROWEST, WIDEST] = [44, 180];
+/** A drawing that fits nearly as it is, is not scaled: its lines cover whole pixels. */
+const NEARLY = 0.04;
 /** Between these the drawing is made to fit, until somebody chooses. */
 const FITS = [0.6, 1.3] as const;
 const ZOOMS = [0.6, 0.7, 0.8, 0.9, 1, 1.15, 1.3, 1.5, 1.8];
@@ -20,16 +26,24 @@ export interface Touched {
   line(line: number): void;
   /** A symbol that reads or writes this point. */
   point(point: string, at: DOMRect): void;
+  /** There is room for another number of columns. */
+  room(): void;
 }
 
 /** What is live in a rung. */
 interface Named {
   readonly nets: readonly (readonly [net: number, Element])[];
-  readonly boxes: readonly (readonly [step: number, Element])[];
+  readonly boxes: readonly (readonly [step: number, Box])[];
   readonly values: readonly (readonly [step: number, Element])[];
   readonly points: readonly (readonly [point: string, Element])[];
   /** What shows points, whatever the power is: of a block diagram. */
   readonly seen: readonly (readonly [says: string, Element])[];
+}
+
+/** What stands beside the pins of a timer or a counter. */
+interface Box {
+  readonly preset: Element;
+  readonly count: Element;
 }
 
 type Sheet = NonNullable<Drawn["sheet"]>;
@@ -39,7 +53,7 @@ const SVG = "http://www.w3.org/2000/svg";
 export class LadderView {
   private readonly named = new WeakMap<Element, Named>();
   private readonly nets = new Map<number, Element[]>();
-  private readonly boxes = new Map<number, Element>();
+  private readonly boxes = new Map<number, Box>();
   private readonly values = new Map<number, Element>();
   private readonly points = new Map<string, Element[]>();
   private readonly says = new Map<string, Element[]>();
@@ -47,10 +61,12 @@ export class LadderView {
   private svg: SVGSVGElement | null = null;
   private zoom = Number(kept("zoom") ?? "0") || FITS[1];
   private fits = kept("zoom") === null;
+  /** The columns that there was room for last. */
+  private room = 0;
 
   constructor(
     private readonly paper: HTMLElement,
-    touched: Touched,
+    private readonly touched: Touched,
   ) {
     new ResizeObserver(() => this.size()).observe(paper);
     paper.addEventListener("click", (event) => {
@@ -139,11 +155,11 @@ export class LadderView {
     const known = this.named.get(rung);
     if (known) return known;
     const nets: [number, Element][] = [];
-    const boxes: [number, Element][] = [];
+    const boxes: [number, Box][] = [];
     const values: [number, Element][] = [];
     const points: [string, Element][] = [];
     const seen: [string, Element][] = [];
-    for (const one of rung.querySelectorAll<SVGElement>(".wire, .element")) {
+    for (const one of rung.querySelectorAll<SVGElement>(".wire, .rail, .element")) {
       const net = /\bn(\d+)\b/.exec(one.getAttribute("class") ?? "");
       const says = one.dataset["says"];
       if (says) seen.push([says, one]);
@@ -151,9 +167,9 @@ export class LadderView {
     }
     for (const element of rung.querySelectorAll<SVGElement>(".element")) {
       const last = Number(element.dataset["steps"]?.split(" ").at(-1));
-      const box = element.querySelector(".boxed");
+      const [preset, count] = [element.querySelector(".preset"), element.querySelector(".count")];
       const value = element.querySelector(".value");
-      if (box) boxes.push([last, box]);
+      if (preset && count) boxes.push([last, { preset, count }]);
       if (value) values.push([last, value]);
       const point = element.dataset["point"];
       if (point) points.push([point, element]);
@@ -169,10 +185,24 @@ export class LadderView {
     else map.set(key, [element]);
   }
 
+  /** The columns of a drawing that fills its paper, as large as letters are elsewhere, or as somebody has chosen. */
+  columns(): number {
+    const zoom = this.fits ? 1 : this.zoom;
+    const columns = Math.floor(((this.paper.clientWidth - MARGIN) / zoom - BESIDE) / COLUMN);
+    return Math.min(Math.max(columns, NARROWEST), WIDEST);
+  }
+
   private size(): void {
+    if (this.paper.clientWidth > 0 && this.room !== this.columns()) {
+      this.room = this.columns();
+      this.touched.room();
+    }
     const box = this.svg?.viewBox.baseVal;
     if (!this.svg || !box) return;
-    if (this.fits && this.paper.clientWidth > 0) this.zoom = Math.min(Math.max((this.paper.clientWidth - MARGIN) / box.width, FITS[0]), FITS[1]);
+    if (this.fits && this.paper.clientWidth > 0) {
+      const zoom = (this.paper.clientWidth - MARGIN) / box.width;
+      this.zoom = Math.abs(zoom - 1) < NEARLY ? 1 : Math.min(Math.max(zoom, FITS[0]), FITS[1]);
+    }
     dress(this.svg, { width: Math.round(box.width * this.zoom), height: Math.round(box.height * this.zoom) });
   }
 
@@ -184,7 +214,10 @@ export class LadderView {
     for (const net of on) if (!this.lit.has(net)) this.light(net, true);
     this.lit = on;
     if (!live) return;
-    for (const [step, text] of live.boxes) put(this.boxes.get(step), text);
+    for (const [step, preset, count] of live.boxes) {
+      put(this.boxes.get(step)?.preset, preset);
+      put(this.boxes.get(step)?.count, count);
+    }
     for (const [step, value] of live.values) put(this.values.get(step), value === null ? "–" : decimal(value));
   }
 

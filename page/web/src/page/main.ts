@@ -10,7 +10,7 @@ import { Bench } from "./bench";
 import { CardTab } from "./cardtab";
 import { CardSlot } from "./cardslot";
 import { Desk } from "./desk";
-import { ProgramDocument, type Work, drawingOf, lastText } from "./document";
+import { ProgramDocument, type Work, drawingOf, isOf, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
 import { ForBoard } from "./forboard";
@@ -148,7 +148,7 @@ async function load(): Promise<void> {
     showMachines: () => void shown().then((gallery) => gallery?.show()),
     showExamples: examples,
     goTo,
-    showPrograms: () => void import("./programs").then(({ showPrograms }) => showPrograms(program, goTo, open)),
+    showPrograms: () => void import("./programs").then(({ showPrograms }) => showPrograms(program, remote, goTo, open)),
     turnCard: (card) => panel.turnCard(card),
     desk: desk.rows, forBoard: forBoard.control, time: panel.time.rows, allButtons: panel.allButtons,
   });
@@ -168,15 +168,16 @@ async function load(): Promise<void> {
     const carried = await carriedBy(location.hash);
     if (carried === undefined) return;
     history.replaceState(null, "", location.pathname + location.search);
-    const [text, plant] = carried ? pairs(carried.parts) : [];
+    const [text, beside] = carried ? pairs(carried.parts) : [];
     if (!carried || !text) return note(() => say("linkBroken"));
     if (carried.kind === "p") {
       if (hasOwn) moveOn();
-      put(text);
+      const drawing = drawingOf(beside?.text ?? null);
+      put({ ...text, drawing: drawing && isOf(drawing, text) ? drawing : null });
       if (hasOwn) note(() => say("linkOpened"));
       hasOwn = true;
     } else if (carried.kind === "m") await machine.open({ ...text, isOwn: true });
-    else await (await learning())?.take(text, plant ? [plant] : []);
+    else await (await learning())?.take(text, beside ? [beside] : []);
   };
   document.addEventListener("too-large", () => open(tooLarge(bench.board.value)));
 

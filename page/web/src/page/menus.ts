@@ -141,8 +141,9 @@ function save(program: ProgramDocument): void {
   if (program.lacks.value > 0) note(() => say("savedUnfinished"));
 }
 
+/** A drawing that is no program yet is more than its text. */
 async function shareLink(program: ProgramDocument): Promise<void> {
-  const text = program.text.value;
-  if (program.lacks.value > 0) note(() => say("savedUnfinished"));
-  await copyLink("p", [text.name, text.text]);
+  const { name, text, drawing } = program.work;
+  const unfinished = program.lacks.value > 0 ? ["drawing", JSON.stringify(drawing)] : [];
+  await copyLink("p", [name, text, ...unfinished]);
 }

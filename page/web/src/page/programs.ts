@@ -1,22 +1,32 @@
-// All programs that the browser keeps: by name and last change, with what each was before.
+// All programs that the browser keeps: by name, last change and a small picture, with what each was before.
 
 import type { Text } from "../tools/answers";
+import type { RemoteTools } from "../tools/remote";
 import { say } from "../words/words";
 import { type ProgramDocument, stemOf, endOf } from "./document";
 import { h } from "./dom";
+import { picture } from "./picture";
 import { duplicate, here, others, remove, rename, versionsOf } from "./place";
 
 /** Shows them; opening one goes to its place, opening how it was makes another. */
-export function showPrograms(program: ProgramDocument, goTo: (id: string) => void, open: (text: Text) => void): void {
+export function showPrograms(program: ProgramDocument, tools: RemoteTools, goTo: (id: string) => void, open: (text: Text) => void): void {
   const list = h("ul", { class: "programs" });
   const said = h("p", { class: "note", role: "status" });
   const when = (at: number): string => new Date(at).toLocaleString(document.documentElement.lang);
   const button = (key: Parameters<typeof say>[0], name: string, click: () => void): HTMLElement =>
     h("button", { type: "button", class: "small", "aria-label": `${say(key)}: ${name}`, click }, say(key));
+  /** The pictures that were made: a program that is renamed keeps its own. */
+  const pictures = new Map<string, HTMLElement>();
+  const pictured = (id: string, of: Text): HTMLElement => {
+    const key = `${id}\n${of.text}`;
+    const known = pictures.get(key) ?? h("span", { class: "program-picture" }, picture(tools, of, ""));
+    pictures.set(key, known);
+    return known;
+  };
   const build = (): void => {
     const now = program.text.value;
     const all = [{ id: here(), ...now, at: Date.now() }, ...others()];
-    list.replaceChildren(...all.map(({ id, name, at }) => {
+    list.replaceChildren(...all.map(({ id, name, text, at }) => {
       const isHere = id === here();
       const field = h("input", { type: "text", value: name, "aria-label": say("fileName"), spellcheck: "false", change: () => {
         const to = field.value.trim() || name;
@@ -30,7 +40,7 @@ export function showPrograms(program: ProgramDocument, goTo: (id: string) => voi
           shown.close();
           open({ name: one.name, text: one.text });
         } }, when(one.at)))) : null;
-      return h("li", { "data-program": name }, field, h("span", { class: "note" }, isHere ? say("programHere") : when(at)),
+      return h("li", { "data-program": name }, pictured(id, { name, text }), field, h("span", { class: "note" }, isHere ? say("programHere") : when(at)),
         h("div", { class: "row" },
           isHere ? null : button("programOpen", name, () => {
             shown.close();

@@ -55,6 +55,7 @@ export class ProgramView {
     this.ladder = new LadderView(byId("ladder"), {
       line: (line) => this.editor.go(line),
       point: (point) => force(this.bench, point),
+      room: () => this.ladderNow(),
     });
     byId("ladder").before(this.bytes);
     byId("drawing").append(this.ladder.zoomButtons());
@@ -156,10 +157,11 @@ export class ProgramView {
   }
 
   private async draw({ text }: Looked): Promise<void> {
-    const key = `${speak.value}\n${blocks.value}\n${text.name}\n${text.text}`;
+    const width = this.ladder.columns();
+    const key = `${width} ${speak.value}\n${blocks.value}\n${text.name}\n${text.text}`;
     if (key === this.drawn) return;
     this.drawn = key;
-    const { svg, code } = await this.tools.ask("ladder", { of: text, width: 64, isBlocks: blocks.value, speak: speak.value });
+    const { svg, code } = await this.tools.ask("ladder", { of: text, width, isBlocks: blocks.value, speak: speak.value });
     // Another was asked for meanwhile.
     if (key !== this.drawn) return;
     const hides = code && this.asked !== text.name;

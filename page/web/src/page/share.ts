@@ -6,7 +6,8 @@ import { note } from "./notes";
 /** What is inflated at most: a link may be a bomb. */
 const MOST = 1 << 20;
 
-/** What a link carries, each with its name and text: a program, an exercise with its machine behind it, a machine. */
+/** What a link carries, each with its name and text: a program, with its drawing behind it where that is
+ * unfinished; an exercise with its machine behind it; a machine. */
 export type Kind = "p" | "x" | "m";
 export interface Carried {
   readonly kind: Kind;

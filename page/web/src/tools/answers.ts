@@ -267,8 +267,8 @@ export interface LadderDrawn {
 export interface Live {
   /** The nets that carry power. */
   readonly nets: readonly number[];
-  /** Steps, and what their boxes say. */
-  readonly boxes: readonly (readonly [number, string])[];
+  /** Steps of timers and counters, their presets and what they have come to. */
+  readonly boxes: readonly (readonly [number, string, string])[];
   /** Steps, and the value after them. */
   readonly values: readonly (readonly [number, number])[];
   /** For each line of the text: null, whether it has power, a number, or the literal of another type: `T#1s`. */

@@ -99,6 +99,8 @@ test("each program has its place: listed, renamed, duplicated, deleted and broug
   const row = (/** @type {string} */ name) => programs.locator(`[data-program="${name}"]`);
   await pick(page, "#programs");
   await row("yours.il").filter({ hasText: "open here" }).waitFor();
+  // Each has its first rungs beside it.
+  for (const name of ["yours.il", "mine.il"]) await row(name).locator('.program-picture img[src^="data:image/svg"]').waitFor();
   // What was written before is there, and nothing took its place.
   await row("mine.il").getByRole("button", { name: "Duplicate: mine.il" }).click();
   await row("mine-2.il").locator("input").fill("third.il");

@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, keptText, lamp, pick, pictures, run, state, type } from "./harness.mjs";
+import { Lab, choose, keptText, lamp, pick, pictures, run, state, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @type {Lab} */
@@ -54,6 +54,33 @@ test("an unfinished drawing does not run, and header, sheet, problems and Run ag
   await page.locator("#problem-count.good").waitFor();
   await run(page);
   await page.context().close();
+});
+
+test("a link to an unfinished drawing opens that drawing, with all that can be undone", async () => {
+  const page = await lab.emptySheet();
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await place(page, "contact", { point: "I1 start" });
+  await closed(page);
+  await place(page, "coil", { point: "Q1 motor" });
+  await closed(page);
+  await page.click('#sheet .element[data-point="I1"] .area');
+  await page.click('.palette [data-what="ton"]');
+  await page.keyboard.press("Escape");
+  await page.locator("#draw-state", { hasText: "1 still to complete" }).waitFor();
+  await pick(page, "#share");
+  await page.locator("#notes", { hasText: "clipboard" }).waitFor();
+  const link = new URL(await page.evaluate(() => navigator.clipboard.readText())).hash;
+  await page.context().close();
+  const other = await lab.other({}, {}, lab.server.url + link);
+  await other.click("#view-draw");
+  await other.locator("#draw-state", { hasText: "1 still to complete" }).waitFor();
+  await other.locator("#problem-count.bad").waitFor();
+  await other.locator('#sheet .element[data-point="T1"] .preset', { hasText: "?" }).waitFor();
+  await other.locator("#sheet", { hasText: "start" }).waitFor();
+  await other.click("#draw-undo");
+  await other.locator("#problem-count.good").waitFor();
+  assert.match(await keptText(other), /LD +start\nST +motor/);
+  await other.context().close();
 });
 
 test("a form keeps its fields at a mistake, and tells it beside the field", async () => {
@@ -104,6 +131,12 @@ test("a contact after a coil keeps its drawing and names, and is told", async ()
   await page.reload();
   await page.locator('#sheet .element[data-point="I2"]').waitFor();
   await page.locator("#sheet", { hasText: "stop" }).waitFor();
+  // Its text alone has the names too.
+  const text = await keptText(page);
+  await pick(page, "#new-file");
+  await choose(page, "again.il", Buffer.from(text));
+  await page.locator('#sheet .element[data-point="I2"]').waitFor();
+  for (const name of ["start", "motor", "stop"]) await page.locator("#sheet .name", { hasText: name }).waitFor();
   await page.context().close();
 });
 

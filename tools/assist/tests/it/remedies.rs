@@ -7,7 +7,10 @@ use unoclp_program::{Refused, Written};
 
 fn told(written: &Written) -> Vec<unoclp_lang::Diagnostic> {
     match written.clone().check(None) {
-        Ok(source) => source.language.warnings().map_or(Vec::new(), |told| told.to_vec()),
+        Ok(source) => source
+            .language
+            .warnings()
+            .map_or(Vec::new(), |told| told.to_vec()),
         Err(Refused::Text { diagnostics, .. }) => diagnostics.to_vec(),
         Err(_) => Vec::new(),
     }
@@ -15,14 +18,54 @@ fn told(written: &Written) -> Vec<unoclp_lang::Diagnostic> {
 
 /// The language, the mistake, the first remedy, and the text after it.
 const MENDED: [(&str, &str, &str, &str); 9] = [
-    ("st", "PROGRAM p VAR lamp AT %QX1 : BOOL; END_VAR lamb := TRUE; END_PROGRAM", "Write `lamp`", "lamp := TRUE"),
-    ("st", "PROGRAM p VAR lamp AT %QX1 : BOOL; END_VAR lamp = TRUE; END_PROGRAM", "Write `:=`", "lamp := TRUE"),
-    ("st", "PROGRAM p VAR x AT %QX1 : BOOL; END_VAR IF x := TRUE THEN x := FALSE; END_IF; END_PROGRAM", "Write `=`", "IF x = TRUE"),
-    ("st", "PROGRAM p VAR x AT %QX1 : BOOL; END_VAR IF x == TRUE THEN x := FALSE; END_IF; END_PROGRAM", "Write `=`", "IF x = TRUE"),
-    ("st", "PROGRAM p VAR x AT %QX1 : BOOL; END_VAR x := TRUE ? ; END_PROGRAM", "Delete `?`", "x := TRUE  ;"),
-    ("st", "PROGRAM p\nVAR\n  x AT %QX1 : BOOL;\nEND_VAR\nx := button;\nEND_PROGRAM", "Declare `button` as BOOL", "  x AT %QX1 : BOOL;\n  button : BOOL;\nEND_VAR"),
-    ("iscl", "BLOCO\n  BOOL x AT %QX1;\n  x := ready;\nEND_BLOCK", "Declare `ready` as BOOL", "  BOOL ready;\n  x := ready"),
-    ("il", "VAR lamp AT %QX1 : BOOL; END_VAR\nLD I1\nJMPC next\nnest: ST lamp", "Write `nest`", "JMPC nest"),
+    (
+        "st",
+        "PROGRAM p VAR lamp AT %QX1 : BOOL; END_VAR lamb := TRUE; END_PROGRAM",
+        "Write `lamp`",
+        "lamp := TRUE",
+    ),
+    (
+        "st",
+        "PROGRAM p VAR lamp AT %QX1 : BOOL; END_VAR lamp = TRUE; END_PROGRAM",
+        "Write `:=`",
+        "lamp := TRUE",
+    ),
+    (
+        "st",
+        "PROGRAM p VAR x AT %QX1 : BOOL; END_VAR IF x := TRUE THEN x := FALSE; END_IF; END_PROGRAM",
+        "Write `=`",
+        "IF x = TRUE",
+    ),
+    (
+        "st",
+        "PROGRAM p VAR x AT %QX1 : BOOL; END_VAR IF x == TRUE THEN x := FALSE; END_IF; END_PROGRAM",
+        "Write `=`",
+        "IF x = TRUE",
+    ),
+    (
+        "st",
+        "PROGRAM p VAR x AT %QX1 : BOOL; END_VAR x := TRUE ? ; END_PROGRAM",
+        "Delete `?`",
+        "x := TRUE  ;",
+    ),
+    (
+        "st",
+        "PROGRAM p\nVAR\n  x AT %QX1 : BOOL;\nEND_VAR\nx := button;\nEND_PROGRAM",
+        "Declare `button` as BOOL",
+        "  x AT %QX1 : BOOL;\n  button : BOOL;\nEND_VAR",
+    ),
+    (
+        "iscl",
+        "BLOCO\n  BOOL x AT %QX1;\n  x := ready;\nEND_BLOCK",
+        "Declare `ready` as BOOL",
+        "  BOOL ready;\n  x := ready",
+    ),
+    (
+        "il",
+        "VAR lamp AT %QX1 : BOOL; END_VAR\nLD I1\nJMPC next\nnest: ST lamp",
+        "Write `nest`",
+        "JMPC nest",
+    ),
     ("il", "LD I1\nTON T1, 5s\nST Q1", "Write `T#5s`", "T1, T#5s"),
 ];
 
@@ -34,7 +77,9 @@ fn a_remedy_mends() {
             .into_iter()
             .flat_map(|about| {
                 let code = about.code;
-                remedies(&before, &about, Lang::En).into_iter().map(move |remedy| (code, remedy))
+                remedies(&before, &about, Lang::En)
+                    .into_iter()
+                    .map(move |remedy| (code, remedy))
             })
             .collect();
         let (code, remedy) = all
@@ -44,6 +89,9 @@ fn a_remedy_mends() {
         let after = edited(wrong, &remedy.edits);
         assert!(after.contains(right), "{after}");
         let left = told(&text(end, &after));
-        assert!(left.iter().all(|about| about.code != *code), "{after}: {left:?}");
+        assert!(
+            left.iter().all(|about| about.code != *code),
+            "{after}: {left:?}"
+        );
     }
 }

@@ -3,7 +3,7 @@
 use super::ON;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
-use unoclp_draw::{Cell, Ladder, Names, Picture, Power, Style as Drawn};
+use unoclp_draw::{Cell, Ladder, Medium, Names, Picture, Power, Style as Drawn};
 use unoclp_exercise::live::{Boxes, Flow};
 use unoclp_program::{Source, names};
 
@@ -34,7 +34,7 @@ impl Rungs {
         let drawing = self.ladder.draw(&Drawn {
             width: width.saturating_sub(MARGIN),
             names: &self.names,
-            live: &live,
+            medium: Medium::Text(&live),
         });
         let power = self.ladder.nets.power(&flow.acc);
         let mut lines = Vec::new();

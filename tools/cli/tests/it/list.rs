@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_core::isa::{Kind, Opcode};
-use unoclp_draw::{Ladder, NARROWEST, Names, Style};
+use unoclp_draw::{Ladder, Medium, NARROWEST, Names, Style};
 use unoclp_host_sim::random::{Random, random_program};
 use unoclp_program::list::{Form, svg};
 use unoclp_program::{Lang, Source, Written, load};
@@ -154,7 +154,7 @@ fn random_programs_keep_every_step_once_at_every_width() {
         let style = Style {
             width,
             names: &Names::new(),
-            live: &|_| None,
+            medium: Medium::PLAIN,
         };
         let drawing = ladder.draw(&style);
         let mut symbols = Vec::new();

@@ -17,6 +17,25 @@ enum Count {
     Events(usize, &'static str),
 }
 
+/// What a timer or a counter has come to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Now {
+    /// Milliseconds.
+    Time {
+        /// Of them all.
+        preset: u32,
+        /// That have passed.
+        elapsed: u32,
+    },
+    /// Events.
+    Events {
+        /// To be counted.
+        preset: i32,
+        /// That were.
+        value: i32,
+    },
+}
+
 impl Boxes {
     /// Those of this program.
     pub fn new(program: &Program<'_>) -> Boxes {
@@ -36,6 +55,26 @@ impl Boxes {
     pub fn steps(&self) -> impl Iterator<Item = usize> {
         let counting = self.0.iter().enumerate();
         counting.filter_map(|(step, count)| count.map(|_| step))
+    }
+
+    /// What the box of a step has come to.
+    pub fn now(&self, step: usize, flow: &Flow) -> Option<Now> {
+        Some(match (*self.0.get(step)?)? {
+            Count::Time(index) => {
+                let timer = flow.timers.get(index)?;
+                Now::Time {
+                    preset: timer.preset,
+                    elapsed: timer.elapsed,
+                }
+            }
+            Count::Events(index, _) => {
+                let counter = flow.counters.get(index)?;
+                Now::Events {
+                    preset: counter.preset,
+                    value: counter.value,
+                }
+            }
+        })
     }
 
     /// `TON T1  120/5000 ms`, `CTU C1 3/10`

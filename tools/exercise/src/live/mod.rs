@@ -18,7 +18,7 @@ mod stepped;
 mod traced;
 mod twin;
 
-pub use boxes::Boxes;
+pub use boxes::{Boxes, Now};
 pub use charts::{Chart, Charts};
 pub use flow::Flow;
 pub use lines::Lines;

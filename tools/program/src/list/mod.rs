@@ -7,7 +7,7 @@ mod words;
 use crate::{Source, WrittenIn, names};
 use std::path::Path;
 use unoclp_draw::edit::Document;
-use unoclp_draw::{Drawing, Ladder, Names, Report, Style, listing, to_report, to_svg};
+use unoclp_draw::{Drawing, Ladder, Medium, Names, Report, Style, listing, to_report, to_svg};
 use unoclp_lang::{Diagnostic, Lang, TextLanguage, instructions_to_il, to_st};
 
 use unoclp_sfc::Sheet;
@@ -48,7 +48,7 @@ pub fn list(
         Form::Ladder => {
             let ladder = Ladder::new(program.steps());
             let names = names(&source.map, &ladder);
-            let drawing = draw(&ladder, &names, width);
+            let drawing = draw(&ladder, &names, width, Medium::PLAIN);
             listing(&drawing, &source.map, &names, &title(lang))
         }
     })
@@ -111,7 +111,7 @@ pub fn plcopen(source: &Source) -> Result<Exported, Vec<Lost>> {
 pub fn svg(source: &Source, width: usize, lang: Lang) -> String {
     let ladder = Ladder::new(source.program().steps());
     let names = names(&source.map, &ladder);
-    let drawing = draw(&ladder, &names, width);
+    let drawing = draw(&ladder, &names, width, Medium::Paper);
     to_svg(&drawing, &source.map, &names, &title(lang), &about(source))
 }
 
@@ -126,7 +126,7 @@ pub fn pages(
 ) -> Vec<String> {
     let ladder = Ladder::new(source.program().steps());
     let names = names(&source.map, &ladder);
-    let drawing = draw(&ladder, &names, width);
+    let drawing = draw(&ladder, &names, width, Medium::Paper);
     let texts = [
         words::writer(lang),
         words::date(lang),
@@ -170,11 +170,10 @@ pub fn title(lang: Lang) -> impl Fn(usize, Option<(usize, usize)>) -> String {
     }
 }
 
-fn draw<'l>(ladder: &'l Ladder, names: &Names, width: usize) -> Drawing<'l> {
-    let live = |_| None;
+fn draw<'l>(ladder: &'l Ladder, names: &Names, width: usize, medium: Medium<'_>) -> Drawing<'l> {
     ladder.draw(&Style {
         width,
         names,
-        live: &live,
+        medium,
     })
 }

@@ -45,7 +45,7 @@ fn comes_back(name: &str, program: &Program<'_>) {
     let style = unoclp_draw::Style {
         width: 80,
         names: &names,
-        live: &|_| None,
+        medium: unoclp_draw::Medium::PLAIN,
     };
     assert_eq!(
         pictures(&drawn.draw(80, &names)),

@@ -39,9 +39,6 @@ export interface Around {
 
 const PLACES = ["behind", "beside", "before"] as const;
 const PLACE_WORDS = { behind: "placeBehind", beside: "placeBeside", before: "placeBefore" } as const;
-/** Columns of the sheet; a column is nine units. */
-const NARROWEST = 56;
-const WIDEST = 140;
 const PALETTE = "palette";
 
 export class Screen {
@@ -78,9 +75,9 @@ export class Screen {
     private readonly shelves: readonly Shelf[],
   ) {
     const { program, tools, bench, write } = around;
-    this.session = new Session(program, tools, () => this.columns(), write);
+    this.session = new Session(program, tools, () => this.sheet.ladder.columns(), write);
     const act = (act: Act): Promise<boolean> => this.session.act(act);
-    this.sheet = new Sheet(this.paper, (what, at, place) => void this.put({ do: "put", what, at, place }));
+    this.sheet = new Sheet(this.paper, (what, at, place) => void this.put({ do: "put", what, at, place }), () => this.fit());
     this.nearby = new Nearby(this.paper, (one) => void act(one), () => void this.edit());
     this.finder = new Finder(tools, (id) => void act({ do: "select", from: id, to: id }));
     const undo = h("button", { type: "button", id: "draw-undo", "data-say-label": "drawUndo", click: () => void act({ do: "undo" }) }, "↶");
@@ -174,15 +171,10 @@ export class Screen {
   /** Has it drawn as wide as there is room now. */
   private fit(): void {
     this.nearby.place();
-    const columns = this.columns();
+    const columns = this.sheet.ladder.columns();
     if (columns === this.fitted || this.paper.clientWidth === 0 || !this.session.drawn.value) return;
     this.fitted = columns;
     void this.session.again();
-  }
-
-  private columns(): number {
-    const zoom = (Number(kept("zoom") ?? "0") || 0.9);
-    return Math.min(Math.max(Math.floor((this.paper.clientWidth / zoom - 60) / 9), NARROWEST), WIDEST);
   }
 
   /** What keeps one from drawing, and what one can do about it. */

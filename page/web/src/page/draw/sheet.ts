@@ -22,9 +22,10 @@ export class Sheet implements Carried {
   constructor(
     readonly paper: HTMLElement,
     readonly put: (what: string, at: number, place: Place) => void,
+    room: () => void,
   ) {
     // Clicks are the screen's: what they do depends on what one is at.
-    this.ladder = new LadderView(paper, { line: () => undefined, point: () => undefined });
+    this.ladder = new LadderView(paper, { line: () => undefined, point: () => undefined, room });
   }
 
   private get svg(): SVGSVGElement | null {
