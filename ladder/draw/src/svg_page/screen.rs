@@ -11,11 +11,12 @@
 
 use super::area::Area;
 use super::blocks::Diagram;
+use super::named::named;
 use super::node::Node;
-use super::page::{Page, of_net};
+use super::page::Page;
 use super::{AXIS, COLUMN, GAP, MARGIN, x};
 use crate::listing::{Title, heading};
-use crate::{Drawing, Element, Ladder, NARROWEST, Names, Picture, Rung, Style, Symbol};
+use crate::{Drawing, Element, Ladder, NARROWEST, Names, Picture, Rung, Style};
 use unoclp_checked::{SourceMap, Work};
 
 /// A rung on a screen. Nothing in it says where among others it stands: it is the same wherever that is.
@@ -150,7 +151,7 @@ fn screen(
 }
 
 /// The group of a symbol, with the area that takes clicks on it.
-pub(super) fn named(
+pub(super) fn of_symbol(
     element: &Element,
     rung: &Rung,
     symbol: Node,
@@ -164,37 +165,5 @@ pub(super) fn named(
         width: right - left,
         height: AXIS + 13.0,
     };
-    named_at(element, rung, symbol, area, y - 15.0)
-}
-
-/// The same of a symbol that takes clicks there, and shows its value at this height.
-pub(super) fn named_at(
-    element: &Element,
-    rung: &Rung,
-    symbol: Node,
-    area: Area,
-    value: f32,
-) -> Node {
-    let steps = element.steps.iter().map(|step| step - rung.first);
-    let steps: Vec<String> = steps.map(|step| step.to_string()).collect();
-    let target = Node::rectangle()
-        .set("class", "area")
-        .set("x", area.x)
-        .set("y", area.y)
-        .set("width", area.width)
-        .set("height", area.height);
-    let mut group = symbol
-        .set("class", of_net("element", rung.net(element.net)))
-        .set("data-steps", steps.join(" "));
-    if let Some(point) = element.point {
-        group = group.set("data-point", point.to_string());
-    }
-    if matches!(element.symbol, Symbol::Box { .. }) {
-        let value = Node::text("")
-            .set("class", "value")
-            .set("x", area.x + area.width / 2.0)
-            .set("y", value);
-        group.add(value);
-    }
-    group.with(target)
+    named(element, rung, symbol, area, y - 15.0)
 }

@@ -26,7 +26,7 @@ impl Page<'_> {
         let outer = std::mem::take(&mut self.group);
         self.symbol(element, text, columns, y, before);
         let inner = std::mem::replace(&mut self.group, outer);
-        let mut named = screen::named(element, rung, inner, columns, y);
+        let mut named = screen::of_symbol(element, rung, inner, columns, y);
         if let Some(ids) = self.ids {
             named = named.set("data-id", ids(index));
             self.areas.push((index, Area::of_symbol(columns, y)));
