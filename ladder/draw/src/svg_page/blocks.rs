@@ -4,9 +4,10 @@
 //! show: a point, or a gate of points in front of its inputs, `|2 I1 !I2`.
 
 use super::area::Area;
+use super::named::named;
 use super::node::{Node, data};
 use super::page::{Font, Page, of_net};
-use super::{AXIS, COLUMN, GAP, HALF, MARGIN, screen};
+use super::{AXIS, COLUMN, GAP, HALF, MARGIN};
 use crate::blocks::{Graph, Kind, Placed, Vertex};
 use crate::face::Face;
 use crate::{Element, Ladder, Rung, Style, Symbol};
@@ -259,7 +260,7 @@ impl Page<'_> {
             height: below - above + 20.0,
         };
         let value = element.pins.is_none().then_some(below + 11.0);
-        let mut named = screen::named_at(element, rung, inner, area, value);
+        let mut named = named(element, rung, inner, area, value);
         if let Some(says) = &vertex.says {
             named = named.set("data-says", &**says);
         }

@@ -3,10 +3,11 @@
 //! - `picture`: one picture of the whole; `report`: pages of paper
 //! - `blocks`: a rung as a block diagram
 //! - `screen`: a drawing that shows power; `sheet`: a rung that is edited
-//! - `node`: an element of SVG; `page`: what they are all drawn on; `symbol`: the elements; `wires`: what leads to them
+//! - `node`: an element of SVG; `named`: what a symbol is known by; `page`: what they are all drawn on; `symbol`: the elements; `wires`: what leads to them
 
 mod area;
 mod blocks;
+mod named;
 mod node;
 mod page;
 mod picture;

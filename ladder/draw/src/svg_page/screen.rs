@@ -14,10 +14,10 @@
 use super::area::Area;
 use super::blocks::Diagram;
 use super::node::Node;
-use super::page::{Page, of_net};
+use super::page::Page;
 use super::{COLUMN, GAP, MARGIN};
 use crate::listing::{Title, heading};
-use crate::{Drawing, Element, Ladder, NARROWEST, Names, Picture, Rung, Style, Symbol};
+use crate::{Drawing, Ladder, NARROWEST, Names, Picture, Rung, Style};
 use unoclp_checked::{SourceMap, Work};
 
 /// A rung on a screen. Nothing in it says where among others it stands: it is the same wherever that is.
@@ -149,49 +149,4 @@ fn screen(
         .set("viewBox", (0.0, 0.0, width, height))
         .with(all)
         .written()
-}
-
-/// The group of a symbol, with the area that takes clicks on it. One with pins has its value beside them.
-pub(super) fn named(
-    element: &Element,
-    rung: &Rung,
-    symbol: Node,
-    area: Area,
-    has_pins: bool,
-) -> Node {
-    let value = (!has_pins).then_some(area.y + 11.0);
-    let height = area.height - 1.0;
-    named_at(element, rung, symbol, Area { height, ..area }, value)
-}
-
-/// The same of a symbol that takes clicks there, and shows its value at this height, if at all.
-pub(super) fn named_at(
-    element: &Element,
-    rung: &Rung,
-    symbol: Node,
-    area: Area,
-    value: Option<f32>,
-) -> Node {
-    let steps = element.steps.iter().map(|step| step - rung.first);
-    let steps: Vec<String> = steps.map(|step| step.to_string()).collect();
-    let target = Node::rectangle()
-        .set("class", "area")
-        .set("x", area.x)
-        .set("y", area.y)
-        .set("width", area.width)
-        .set("height", area.height);
-    let mut group = symbol
-        .set("class", of_net("element", rung.net(element.net)))
-        .set("data-steps", steps.join(" "));
-    if let Some(point) = element.point {
-        group = group.set("data-point", point.to_string());
-    }
-    if let (Symbol::Box { .. }, Some(y)) = (&element.symbol, value) {
-        let value = Node::text("")
-            .set("class", "value")
-            .set("x", area.x + area.width / 2.0)
-            .set("y", y);
-        group.add(value);
-    }
-    group.with(target)
 }

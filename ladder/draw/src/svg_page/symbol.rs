@@ -1,9 +1,10 @@
 //! The symbols of elements.
 
 use super::area::Area;
+use super::named::named;
 use super::node::data;
 use super::page::{Font, Page};
-use super::{AXIS, COLUMN, HALF, SYMBOL, WIRE, screen, x};
+use super::{AXIS, COLUMN, HALF, SYMBOL, WIRE, x};
 use crate::pins::Pins;
 use crate::{Element, Net, Symbol};
 
@@ -40,7 +41,12 @@ impl Page<'_> {
             return;
         };
         let inner = std::mem::replace(&mut self.group, outer);
-        let mut named = screen::named(element, rung, inner, area, pins.is_some());
+        let value = pins.is_none().then_some(area.y + 11.0);
+        let target = Area {
+            height: area.height - 1.0,
+            ..area
+        };
+        let mut named = named(element, rung, inner, target, value);
         if let Some(ids) = self.ids {
             named = named.set("data-id", ids(index));
             self.areas.push((index, area));

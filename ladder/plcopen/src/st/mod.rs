@@ -119,7 +119,7 @@ pub(crate) fn write<'a, 'x: 'a>(
 /// Whether something that a diagram calls reaches beyond itself.
 fn shares(network: &Network<'_, '_>, units: &Units<'_, '_, '_>) -> bool {
     let mut blocks = network.elements.iter().filter(|of| of.kind == "block");
-    blocks.any(|block| units.get(&block.block()).is_some_and(fbd::shares))
+    blocks.any(|block| units.reaches_beyond(&block.block()))
 }
 
 /// A body as it is written.

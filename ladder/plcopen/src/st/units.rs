@@ -28,6 +28,13 @@ impl<'p, 'a, 'x: 'a> Units<'p, 'a, 'x> {
         self.by_name.get(&name.to_uppercase()).copied()
     }
 
+    /// Whether a function or a block of the project's own reaches beyond itself.
+    pub(crate) fn reaches_beyond(&self, name: &str) -> bool {
+        let variables = self.get(name).into_iter().flat_map(|pou| &pou.variables);
+        let mut sections = variables.map(|variable| &*variable.section);
+        sections.any(|section| matches!(section, "externalVars" | "inOutVars"))
+    }
+
     /// Whether an element is a function block: of the norm, the project's own, or one that others bring.
     pub(crate) fn is_block(&self, element: &Element<'_, '_>) -> bool {
         if element.kind != "block" {

@@ -16,7 +16,6 @@ use super::sentences::{Piece, inverted, piece};
 use super::what::What;
 use crate::found::span;
 use crate::network::Network;
-use crate::project::Pou;
 use crate::xml::says;
 
 impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
@@ -106,12 +105,6 @@ fn grouped(value: Vec<Piece>, is_beside: bool) -> Vec<Piece> {
     grouped.extend(value);
     grouped.push(piece(")", at));
     grouped
-}
-
-/// What a block changes that a result may read: a block of the project's own that reaches beyond itself.
-pub(super) fn shares(pou: &Pou<'_, '_>) -> bool {
-    let mut variables = pou.variables.iter();
-    variables.any(|variable| matches!(&*variable.section, "externalVars" | "inOutVars"))
 }
 
 /// The elements that do something by themselves, in the order in which they do; labels, jumps and returns part them.
