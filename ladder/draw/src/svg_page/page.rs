@@ -214,7 +214,7 @@ impl<'p> Page<'p> {
     /// The edge of a box.
     pub(super) fn edge(&self) -> Node {
         match self.screen {
-            Some(_) => Node::rectangle().set("class", "line box"),
+            Some(_) => Node::rectangle().set("class", "box"),
             None => Node::rectangle().set("fill", "#ffffff").set("stroke", INK),
         }
     }
@@ -249,7 +249,7 @@ impl<'p> Page<'p> {
     /// From the top of a rung to where it ends; the left one has power while the program runs.
     fn rails(&mut self, top: f32) {
         let right = (self.width - 1) as f32;
-        for (column, class) in [(0.0, "rail n0"), (right, "rail")] {
+        for (column, class) in [(0.0, of_net("rail", 0)), (right, "rail".to_owned())] {
             let rail = data(&[('M', &[x(column + 0.5), top]), ('V', &[self.y])]);
             match self.screen {
                 Some(_) => self.add(Node::path().set("d", rail).set("class", class)),
