@@ -5,6 +5,7 @@
 
 mod kept;
 mod page;
+mod rooms;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -15,92 +16,13 @@ use anyhow::{Context, Result, ensure};
 
 use crate::shell::{cargo, output, root, say};
 use kept::{Kept, Mutant};
+use rooms::{ROOMS, Room, Tests, VERSION};
 
-/// The version that is used; another one makes other mutants.
-const VERSION: &str = "27.1.0";
 /// What it leaves behind, from the root.
 const FOLDER: &str = "target/mutants";
 
 /// How many are tried at once.
 const BATCH: usize = 50;
-
-/// A room whose tests are tested.
-struct Room {
-    /// Where it is; a part of a package may be one.
-    name: &'static str,
-    package: &'static str,
-    /// Tests that notice most mutants in no time, and those that see what is left.
-    rounds: &'static [Tests],
-}
-
-/// Tests that are run together.
-struct Tests {
-    /// Their packages.
-    packages: &'static [&'static str],
-    /// Targets of these packages, as cargo names them; all of them where there is none.
-    targets: &'static [&'static str],
-    /// What the tests' own program is told.
-    words: &'static [&'static str],
-}
-
-/// All tests of packages.
-const fn of(packages: &'static [&'static str]) -> Tests {
-    Tests {
-        packages,
-        targets: &[],
-        words: &[],
-    }
-}
-
-/// What compilers come to: their cases, then all but what compiles the largest and the most random texts.
-const fn of_languages(packages: &'static [&'static str]) -> [Tests; 2] {
-    let targets = &["--lib", "--test=it"];
-    let cases = Tests {
-        packages,
-        targets,
-        words: &["cases", "sizes", "tests::", "typed_slips", "random_typed"],
-    };
-    let others = Tests {
-        words: &["--skip=any_text", "--skip=round_trip::random"],
-        ..cases
-    };
-    [cases, others]
-}
-
-const ROOMS: [Room; 5] = [
-    Room {
-        name: "device/core",
-        package: "unoclp-core",
-        rounds: &[
-            of(&["unoclp-core"]),
-            Tests {
-                packages: &["unoclp-host-sim"],
-                targets: &["--test=it"],
-                words: &[],
-            },
-        ],
-    },
-    Room {
-        name: "ladder/draw/src/edit",
-        package: "unoclp-draw",
-        rounds: &[of(&["unoclp-draw"]), of(&["unoclp-edit"])],
-    },
-    Room {
-        name: "language/codegen",
-        package: "unoclp-codegen",
-        rounds: &of_languages(&["unoclp-codegen", "unoclp-lang"]),
-    },
-    Room {
-        name: "language/tree",
-        package: "unoclp-tree",
-        rounds: &of_languages(&["unoclp-tree", "unoclp-lang"]),
-    },
-    Room {
-        name: "tools/client",
-        package: "unoclp-client",
-        rounds: &[of(&["unoclp-client"])],
-    },
-];
 
 /// Which mutants are tried.
 #[derive(clap::Args)]
@@ -177,7 +99,7 @@ fn measure(room: &Room, args: &Args) -> Result<()> {
             kept.take(&result)?;
         }
     }
-    page::write(room, args, all.len(), &sample, &kept)
+    page::write(room, args.seed, all.len(), &sample, &kept)
 }
 
 /// All mutants of a room, without those that it tries whichever are asked for.

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, ensure};
 use serde::Deserialize;
 
 use super::kept::{Fate, Kept, Mutant, without_line};
-use super::{Args, Room, VERSION};
+use super::rooms::{Room, VERSION};
 use crate::shell::root;
 
 /// The page.
@@ -46,14 +46,14 @@ impl Reasons {
 ///
 /// # Errors
 /// If a file cannot be read or written, or nothing was tried.
-pub fn write(room: &Room, args: &Args, all: usize, sample: &[&Mutant], kept: &Kept) -> Result<()> {
+pub fn write(room: &Room, seed: u64, all: usize, sample: &[&Mutant], kept: &Kept) -> Result<()> {
     let text = fs::read_to_string(root().join(REASONS)).context(REASONS)?;
     let reasons: Reasons = toml::from_str(&text).context(REASONS)?;
     let tried = Tried::of(sample, kept);
     ensure!(tried.count() > 0, "no mutant of {} was tried", room.name);
     let path = root().join(PAGE);
     let mut sections = sections(&fs::read_to_string(&path).unwrap_or_default());
-    let section = section(room, args.seed, all, &tried, &reasons);
+    let section = section(room, seed, all, &tried, &reasons);
     sections.insert(room.name.to_owned(), section);
     fs::write(&path, page(&sections)).with_context(|| format!("cannot write {PAGE}"))
 }
@@ -162,8 +162,8 @@ fn page(sections: &BTreeMap<String, String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mutants::ROOMS;
     use crate::mutants::kept::tests::kept;
+    use crate::mutants::rooms::ROOMS;
 
     #[test]
     fn a_page_keeps_the_rooms_that_are_not_measured() {

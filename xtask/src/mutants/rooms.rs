@@ -1,0 +1,83 @@
+//! The rooms whose tests are tested, and which tests they are.
+
+/// The version that is used; another one makes other mutants.
+pub const VERSION: &str = "27.1.0";
+
+/// A room whose tests are tested.
+pub struct Room {
+    /// Where it is; a part of a package may be one.
+    pub name: &'static str,
+    pub package: &'static str,
+    /// Tests that notice most mutants in no time, and those that see what is left.
+    pub rounds: &'static [Tests],
+}
+
+/// Tests that are run together.
+pub struct Tests {
+    /// Their packages.
+    pub packages: &'static [&'static str],
+    /// Targets of these packages, as cargo names them; all of them where there is none.
+    pub targets: &'static [&'static str],
+    /// What the tests' own program is told.
+    pub words: &'static [&'static str],
+}
+
+/// All tests of packages.
+const fn of(packages: &'static [&'static str]) -> Tests {
+    Tests {
+        packages,
+        targets: &[],
+        words: &[],
+    }
+}
+
+/// What compilers come to: their cases, then all but what compiles the largest and the most random texts.
+const fn of_languages(packages: &'static [&'static str]) -> [Tests; 2] {
+    let targets = &["--lib", "--test=it"];
+    let cases = Tests {
+        packages,
+        targets,
+        words: &["cases", "sizes", "tests::", "typed_slips", "random_typed"],
+    };
+    let others = Tests {
+        words: &["--skip=any_text", "--skip=round_trip::random"],
+        ..cases
+    };
+    [cases, others]
+}
+
+/// All of them.
+pub const ROOMS: [Room; 5] = [
+    Room {
+        name: "device/core",
+        package: "unoclp-core",
+        rounds: &[
+            of(&["unoclp-core"]),
+            Tests {
+                packages: &["unoclp-host-sim"],
+                targets: &["--test=it"],
+                words: &[],
+            },
+        ],
+    },
+    Room {
+        name: "ladder/draw/src/edit",
+        package: "unoclp-draw",
+        rounds: &[of(&["unoclp-draw"]), of(&["unoclp-edit"])],
+    },
+    Room {
+        name: "language/codegen",
+        package: "unoclp-codegen",
+        rounds: &of_languages(&["unoclp-codegen", "unoclp-lang"]),
+    },
+    Room {
+        name: "language/tree",
+        package: "unoclp-tree",
+        rounds: &of_languages(&["unoclp-tree", "unoclp-lang"]),
+    },
+    Room {
+        name: "tools/client",
+        package: "unoclp-client",
+        rounds: &[of(&["unoclp-client"])],
+    },
+];
