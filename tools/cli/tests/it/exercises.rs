@@ -284,3 +284,18 @@ fn grade_reads_answers_and_asks_for_a_language() {
     assert_eq!(code, 1);
     assert!(out.contains("asks for a program in `st`"), "{out}");
 }
+
+/// A+ B+ B− A− as a chart does what the cases of its exercise and its machine ask.
+#[test]
+fn a_chart_drives_two_cylinders_in_turn() {
+    let class = empty_folder("exercise-chart");
+    put(&class, "ana.st", include_str!("cylinders.st"));
+    let exercise =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/exercises/24-step-by-step.toml");
+    let (exercise, class) = (exercise.to_str().unwrap(), class.to_str().unwrap());
+    let (code, out, errors) = outcome(&["grade", exercise, class]);
+    assert_eq!((code, errors.as_str()), (0, ""), "{out}");
+    let row = out.lines().find(|line| line.contains("ana"));
+    assert!(row.is_some_and(|row| row.contains("5/5")), "{out}");
+    assert!(out.contains("1 of 1 passed"), "{out}");
+}
