@@ -83,6 +83,7 @@ unoclp_words::messages! {
     fault_bouncing() "bounces" "trepida";
     own_contacts() "real contacts drive the board's inputs; force the input instead" "contatos reais comandam as entradas da placa; force a entrada";
     no_settings() "a program on this computer has no settings" "um programa neste computador não tem configurações";
+    own_program() "this computer runs the program that the page has" "este computador executa o programa que a página tem";
     none_given() "no program has been given yet; press Run" "nenhum programa foi enviado ainda; aperte Executar";
     no_point(name) "{name} is not a point that can be set" "{name} não é um ponto que se possa alterar";
     no_model(name) "no board is called {name}" "nenhuma placa se chama {name}";
@@ -110,6 +111,9 @@ unoclp_words::messages! {
     program_other() "its first lines match none of the languages" "o começo do texto não é de nenhuma das linguagens";
     languages(all) "a program is {all}" "um programa é {all}";
     foreign() "this device does not run unoclp; install the firmware" "este dispositivo não roda o unoclp; grave o firmware";
+    unread_empty() "the board holds no program" "a placa não tem programa";
+    unread_untold() "this board's firmware cannot send its program: it is an older one, or that of a Nano" "o firmware desta placa não envia o programa: é mais antigo, ou é o de um Nano";
+    unread_other() "this is no program that this page knows; read it again" "isto não é um programa que esta página conheça; leia de novo";
     unlike() "the board runs a different program from the one shown" "a placa executa um programa diferente do mostrado";
     upload_locked() "the board is locked against uploads" "a placa está bloqueada para envios";
     upload_not_begun() "the board does not accept a program now" "a placa não aceita um programa agora";

@@ -5,6 +5,7 @@
 //! - [`client`]: requests and their answers
 //! - [`identity`], [`diagnostics`]: what a board says of itself
 //! - [`start`]: finding the board at the other end
+//! - [`download`]: the program that a board keeps, read back
 //! - [`upload`]: a program over the line in place of the card
 //! - [`watch`]: one reading of all that a screen shows, and what may be wished of the board
 //! - [`live`]: the same many times a second, of what a program uses
@@ -20,6 +21,7 @@
 pub mod client;
 mod conversation;
 pub mod diagnostics;
+pub mod download;
 pub mod identity;
 mod link;
 pub mod live;

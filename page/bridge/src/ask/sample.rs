@@ -173,6 +173,7 @@ impl Page {
             json!({ "do": "restart" }),
             json!({ "do": "release" }),
             json!({ "do": "settings" }),
+            json!({ "do": "fetch" }),
             json!({ "do": "settle", "settings": settings }),
             json!({ "do": "force", "output": false, "number": 1, "to": true }),
             json!({ "do": "press", "input": 1, "closed": true }),

@@ -146,6 +146,8 @@ impl Core {
             Order::Watch { .. } => {}
             Order::Settings => return Err(both(words::no_settings)),
             #[cfg(feature = "full")]
+            Order::Fetch => return Err(both(words::own_program)),
+            #[cfg(feature = "full")]
             Order::Settle { .. } => return Err(both(words::no_settings)),
         }
         Ok(None)

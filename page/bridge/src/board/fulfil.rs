@@ -1,6 +1,8 @@
 //! How what is ordered of a board is done.
 
 use super::desk::Desk;
+#[cfg(feature = "full")]
+use super::fetch::fetch;
 use super::news::{Kept, News};
 use super::order::Order;
 #[cfg(feature = "full")]
@@ -54,6 +56,8 @@ pub(super) async fn fulfil(
             desk.watched.replace(Some(watched));
             Ok(None)
         }
+        #[cfg(feature = "full")]
+        Order::Fetch => fetch(client, desk, number).await,
         Order::Settings => {
             let settings = Settings::read(client).await?;
             desk.tell(News::Settings(settings.into()));

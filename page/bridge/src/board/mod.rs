@@ -2,7 +2,7 @@
 //!
 //! - `watched`: the program that a board is said to run, and what of it is shown live
 //! - `talk`: what is said, as a view of the client's session
-//! - `order`, `wanted`: what may be ordered; `fulfil`, `settle`: how it is done; `undone`: why not
+//! - `order`, `wanted`: what may be ordered; `fulfil`, `settle`, `fetch`: how it is done; `undone`: why not
 //! - `news`: what a page is told
 //! - `core`: a board that is none: the core runs the program, and there is no line
 //! - `desk`: what lies between a conversation and its page
@@ -11,6 +11,8 @@
 
 mod core;
 mod desk;
+#[cfg(feature = "full")]
+mod fetch;
 mod fulfil;
 mod news;
 mod order;

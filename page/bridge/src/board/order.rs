@@ -36,6 +36,9 @@ pub enum Order {
     Upload { text: Rc<Analysis>, stay: bool },
     /// Watch this program from now on; it is said to be on the board.
     Watch { text: Rc<Analysis> },
+    /// Read the program that it keeps.
+    #[cfg(feature = "full")]
+    Fetch,
     /// Read the settings.
     Settings,
     /// Change the settings: the lock holds at once, all else from the next start on.
@@ -88,7 +91,9 @@ impl Order {
                 text: known(&mut given)?,
             },
             #[cfg(not(feature = "full"))]
-            "settle" => return Err(No::More),
+            "settle" | "fetch" => return Err(No::More),
+            #[cfg(feature = "full")]
+            "fetch" => Order::Fetch,
             #[cfg(feature = "full")]
             "settle" => Order::Settle {
                 settings: Wanted::of(&mut given.below("settings")?)?,

@@ -28,7 +28,7 @@ export interface Of {
 export type Forced = Seen["forcedInputs"][number];
 
 export type Order =
-  | { readonly do: "run" | "stop" | "scan" | "restart" | "release" | "settings" }
+  | { readonly do: "run" | "stop" | "scan" | "restart" | "release" | "settings" | "fetch" }
   | { readonly do: "force"; readonly output: boolean; readonly number: number; readonly to: boolean | null }
   | { readonly do: "set"; readonly point: string; readonly value: number }
   /** Of what this computer runs alone: a board has contacts and knobs of its own. */
