@@ -392,7 +392,7 @@ pub enum Command {
     Run = 1,
     /// STOP; ends an upload.
     Stop = 2,
-    /// One single scan, in STOP.
+    /// One single scan; in RUN, STOP comes first, and the scan goes on from where the program is.
     SingleScan = 3,
     /// The whole start-up again.
     Restart = 4,

@@ -184,7 +184,7 @@ impl Map<'_, '_, '_> {
             if let Ok(command) = self.command(value) {
                 self.operation.stopped = match command {
                     Command::Run => false,
-                    Command::Stop => true,
+                    Command::Stop | Command::SingleScan => true,
                     _ => self.operation.stopped,
                 };
                 self.operation.command = Some(command);
@@ -226,7 +226,7 @@ impl Map<'_, '_, '_> {
         let now = match command {
             Command::Run => !held,
             Command::Stop => !fault || uploading,
-            Command::SingleScan => !held && state == State::Stop,
+            Command::SingleScan => !held,
             Command::Restart => true,
             Command::Upload => state != State::Run && !uploading,
         };

@@ -125,7 +125,10 @@ impl Core {
             Order::Run | Order::Restart => self.begin(State::Run)?,
             Order::Stop => self.begin(State::Stop)?,
             Order::Scan => match self.state {
-                State::Stop => self.scan(),
+                State::Run | State::Stop => {
+                    self.state = State::Stop;
+                    self.scan();
+                }
                 _ => return Err(both(words::refused_now)),
             },
             Order::Release => self.forced = Default::default(),

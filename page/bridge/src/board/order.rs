@@ -14,7 +14,7 @@ pub enum Order {
     Run,
     /// STOP.
     Stop,
-    /// One single scan, in STOP.
+    /// One single scan; in RUN, STOP comes first, and the scan goes on from where the program is.
     Scan,
     /// The whole start-up again.
     Restart,

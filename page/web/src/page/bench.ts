@@ -59,6 +59,8 @@ export class Bench {
   private whenLost = (): void => undefined;
   private line: Line | null = null;
   private talk: Conversation | null = null;
+  /** The program that a board was asked for, as numeric code. */
+  private fetched = "";
   private readonly orders = new Map<number, (told: { said: Both | null } | { why: Both }) => void>();
 
   constructor(
@@ -251,6 +253,13 @@ export class Bench {
     this.on.value = text;
   }
 
+  /** The program that the board keeps, as numeric code. */
+  async fetch(): Promise<string> {
+    this.takeTime();
+    await this.order({ do: "fetch" });
+    return this.fetched;
+  }
+
   /** Puts a program on the board and runs it. */
   async put(text: Text): Promise<void> {
     this.upload.value = { share: 0 };
@@ -335,6 +344,9 @@ export class Bench {
         break;
       case "storing":
         this.upload.value = "storing";
+        break;
+      case "fetched":
+        this.fetched = news.code;
         break;
       case "settings":
         this.ways[this.where.value].expect(news);

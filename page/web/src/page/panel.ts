@@ -12,7 +12,6 @@ import { Lamps } from "./lamps";
 import { announce } from "./notes";
 import { layOut } from "./layout";
 import { inputsOf, upTo } from "./points";
-import { Signal } from "./signal";
 
 const SPEEDS = [1, 0.1, 0.01];
 /** Cards that are seen on request. */
@@ -202,19 +201,6 @@ export class Panel {
     });
     speak.follow(show);
     const scan = h("button", { type: "button", id: "scan", "data-say-title": "scanHint", click: () => void this.scan() }, icon("step"), h("span", { "data-say": "scan" }));
-    // STOP begins the program again: scans of a program that runs are its own.
-    const running = new Signal(false);
-    const offer = (): void => {
-      const key = running.value ? "scanStop" : "scanHint";
-      scan.disabled = running.value;
-      scan.dataset["sayTitle"] = key;
-      scan.title = say(key);
-    };
-    running.follow(offer);
-    speak.follow(offer);
-    bench.seen.follow((seen) => {
-      running.value = seen?.state === "RUN";
-    });
     bench.where.follow((where) => {
       pause.hidden = speed.hidden = where === "desk";
       pace.hidden = where !== "simulated";
