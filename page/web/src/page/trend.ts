@@ -189,7 +189,7 @@ export class Trend {
   /** The diagram as a picture for a report. */
   svg(): string {
     const [from, to] = this.window();
-    const labels = this.points.filter((point) => !this.hidden.has(point.name)).map((point) => ({ name: point.name, label: point.called || point.name }));
+    const labels = this.names.map((name) => ({ name, label: this.markedName(name) }));
     return timingSvg(this.recorder, labels, from, to);
   }
 
@@ -332,10 +332,15 @@ export class Trend {
     return called ? `${called} ${name}` : name;
   }
 
+  /** What a point is called, marked where it is forced. */
+  private markedName(name: string): string {
+    const called = this.points.find((point) => point.name === name)?.called || name;
+    return this.marked.has(name) ? `${called} (${say("forced")})` : called;
+  }
+
   /** A lane's name, and its value under the cursor. */
   private labelOf(name: string): string {
-    const point = this.points.find((point) => point.name === name)?.called || name;
-    const called = this.marked.has(name) ? `${point} (${say("forced")})` : point;
+    const called = this.markedName(name);
     const value = this.cursor === null ? undefined : this.recorder.table([name], this.cursor, this.cursor).values[0]?.[0];
     return value === undefined || Number.isNaN(value) ? called : `${called} = ${decimal(value)}`;
   }
