@@ -136,31 +136,6 @@ test("a browser whose store is forbidden to the page says so, and runs the progr
   }
 });
 
-test("a store that fills up is told, and once there is room again the program is kept", async () => {
-  const page = await lab.still();
-  await page.evaluate(() => {
-    const set = Storage.prototype.setItem;
-    Object.assign(window, { full: true });
-    Storage.prototype.setItem = function (key, value) {
-      if (/** @type {any} */ (window).full) throw new DOMException("full", "QuotaExceededError");
-      set.call(this, key, value);
-    };
-  });
-  await type(page, "LD I3\nST Q3 (* mine *)\n");
-  await page.locator("#notes", { hasText: "does not keep your program" }).waitFor();
-  // Leaving would lose it: the browser asks.
-  const asks = () => page.evaluate(() => !window.dispatchEvent(new Event("beforeunload", { cancelable: true })));
-  assert.ok(await asks());
-  await page.evaluate(() => Object.assign(window, { full: false }));
-  await page.locator(".cm-content").press("Control+End");
-  await page.keyboard.insertText("(* and more *)");
-  assert.ok(!(await asks()));
-  await page.reload();
-  await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
-  assert.match((await page.textContent(".cm-content")) ?? "", /mine[^]*and more/);
-  await page.context().close();
-});
-
 test("a browser without WebAssembly says so in plain HTML, and gives the program back", async () => {
   const page = await lab.still();
   await type(page, "LD I3\nST Q3\n", "mine.il");
