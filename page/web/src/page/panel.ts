@@ -43,7 +43,8 @@ export class Panel {
     this.time = this.clock();
     const lamps = h("div", { class: "card lights" }, h("h3", {}, h("span", { "data-say": "lamps" })), this.lamps.root);
     const docked = h("div", { class: "docked" }, this.contacts, lamps);
-    root.append(machine, h("div", {}, docked), this.knobs, this.time.pace, ...Object.values(this.cards), desk);
+    const none = h("p", { class: "empty no-machine", "data-say": "machineNone" });
+    root.append(machine, none, h("div", {}, docked), this.knobs, this.time.pace, ...Object.values(this.cards), desk);
     layOut(docked);
     for (const card of CARDS) this.cards[card].hidden = !(kept(SHOWN) ?? "").split(" ").includes(card);
     bench.board.follow((board) => {

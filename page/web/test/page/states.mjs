@@ -117,7 +117,7 @@ export const STATES = [
 
 /** Brings a page into a state in which nothing moves any more. @param {Page} page @param {State} state */
 export async function reach(page, { go }) {
-  await page.locator("#sheet .rung, .cm-content").first().waitFor();
+  await page.locator("#sheet .rung:visible, .cm-content:visible").first().waitFor();
   await go(page);
   await still(page);
   await quiet(page);

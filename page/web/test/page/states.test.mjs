@@ -20,8 +20,8 @@ const isNew = process.env["STATES"] === "new";
 const SHARE = 1 / 7;
 /** A side of a block of a kept picture, pixels; how far the mean of a block may be off, of 255; how many blocks may be. */
 const BLOCK = 4;
-const OFF = 20;
-const MOST = 0.04;
+const OFF = 16;
+const MOST = 0.025;
 
 /** @type {Lab} */
 let lab;

@@ -10,7 +10,7 @@ import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { fingers, holding, mouse } from "./hands.mjs";
 import { Lab, choose, keptText, lamp, pick, run, state, tab, type } from "./harness.mjs";
-import { CONTROLS, SIZES, clicked, inView, newcomer, stands } from "./newcomer.mjs";
+import { CONTROLS, SIZES, asked, clicked, inView, newcomer, stands } from "./newcomer.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -123,7 +123,10 @@ async function student(page, said, words, phone) {
   await page.locator("#notes", { hasText: words.clipboard }).waitFor();
   const link = await page.evaluate(() => navigator.clipboard.readText());
   // Three exercises, by drawing.
+  await stands(page);
   await pick(page, "#exercises");
+  await page.locator("#exercise-begin").waitFor();
+  await asked(page);
   for (const [index, presses] of SOLVED) {
     await page.selectOption("#exercise-list", { index });
     await page.click("#exercise-begin");
@@ -131,6 +134,8 @@ async function student(page, said, words, phone) {
     await draw(page, presses);
     await page.click("#exercise-check");
     await page.locator("#verdict.good").waitFor();
+    // The machine of each stands beside it.
+    await asked(page);
   }
   await page.locator("#exercise", { hasText: /3 (of|de) \d+/ }).waitFor();
   await page.click("#hand-in");
@@ -160,7 +165,9 @@ until = 100
 async function teacher(page, said, words, phone) {
   await state(page, "RUN");
   await choose(page, "hall.toml", Buffer.from(EXERCISE));
+  await stands(page);
   await page.locator("#exercise h3", { hasText: /A lamp in the hall|Uma lâmpada no corredor/ }).waitFor();
+  await asked(page);
   await page.click("#exercise-link");
   await page.locator("#notes", { hasText: words.clipboard }).waitFor();
   const link = await page.evaluate(() => navigator.clipboard.readText());
@@ -251,10 +258,16 @@ async function engineer(page, said, words, phone) {
   const when = (/** @type {number} */ column) => Number(rows.find((row) => row.split(",")[column] === "1")?.split(",")[0]);
   assert.ok(when(1) <= when(2), `go ${when(1)}, pump ${when(2)}`);
   await turnTo(page, "program");
+  // What no ladder holds is told; a ladder goes out as PLCopen XML, and comes back.
+  await pick(page, "#save-project");
+  await page.locator("#notes", { hasText: "XML-523" }).waitFor();
+  await type(page, "LD I1\nOR Q1\nANDN I2\nST Q1\n", "motor.il");
+  await page.locator("#problem-count.good").waitFor();
   const xml = await saved(page, () => pick(page, "#save-project"));
-  assert.equal(xml.name, "tank.xml");
-  assert.match(xml.text, /<project[^]*FUNCTION_BLOCK|<project[^]*functionBlock/i);
-  await choose(page, "tank.xml", Buffer.from(xml.text));
+  assert.equal(xml.name, "motor.xml");
+  assert.match(xml.text, /<project[^]*<LD>/);
+  await choose(page, "motor.xml", Buffer.from(xml.text));
+  await page.locator("#tongue", { hasText: "PLCopen XML" }).waitFor();
   await page.locator("#problem-count.good").waitFor();
   await holds(page, said, phone);
 }

@@ -133,7 +133,7 @@ fn stop_single_scan_and_run_by_command() {
 
 /// Output 01 is set by input 01 and never reset, output 02 follows it; T 01 runs while input 02 is closed.
 const HOLDS: &str =
-    "0\n827301\n847801\n787600\n827901\n877902\n787600\n827302\n847978\n70000\n7701\n";
+    "0\n827301\n83877901\n787600\n827901\n877902\n787600\n827302\n847978\n70000\n7903\n";
 
 #[test]
 fn a_single_scan_in_run_goes_on_from_where_the_program_is() {
