@@ -112,7 +112,12 @@ export const STATES = [
     await tab(page, "settings");
     await page.locator("#settings-restart").waitFor();
   }),
-  at("menu", (page) => page.click("#menu-boardMenu"), { options: { ...SCHOOL, locale: "pt-BR" } }),
+  at("menu", async (page) => {
+    await page.locator("#run:enabled").waitFor();
+    // A row of the menu has the time stand, and closes it.
+    await still(page);
+    await page.click("#menu-boardMenu");
+  }, { options: { ...SCHOOL, locale: "pt-BR" } }),
 ];
 
 /** Brings a page into a state in which nothing moves any more. @param {Page} page @param {State} state */

@@ -144,6 +144,7 @@ async function student(page, said, words, phone) {
   assert.equal(JSON.parse(handed.text).verdicts.passed, true);
   // What was saved opens again, and so does the link, for somebody else.
   await choose(page, file.name, Buffer.from(file.text));
+  await page.waitForFunction((name) => /** @type {HTMLInputElement | null} */ (document.querySelector("#name"))?.value === name, file.name);
   assert.equal(await keptText(page), motor);
   await holds(page, said, phone);
   const other = await newcomer(lab, {}, new URL(link).hash);
@@ -267,7 +268,7 @@ async function engineer(page, said, words, phone) {
   assert.equal(xml.name, "motor.xml");
   assert.match(xml.text, /<project[^]*<LD>/);
   await choose(page, "motor.xml", Buffer.from(xml.text));
-  await page.locator("#tongue", { hasText: "PLCopen XML" }).waitFor();
+  await page.locator("#tongue", { hasText: "PLCopen XML" }).waitFor({ state: "attached" });
   await page.locator("#problem-count.good").waitFor();
   await holds(page, said, phone);
 }
