@@ -1,7 +1,7 @@
 // Twenty states of the page that are looked at: each has its size and the way to it.
 // @ts-check
 
-import { choose, lamp, pick, run, state, still, tab, type } from "./harness.mjs";
+import { choose, lamp, pick, run, state, tab, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {object} State
@@ -26,6 +26,14 @@ END_PROGRAM
 
 /** Waits until the notes are gone, which the test closes. @param {Page} page */
 const quiet = (page) => page.evaluate(() => document.getElementById("notes")?.replaceChildren());
+
+/** Has the time of the board stand, by the speed in the bar. @param {Page} page */
+const stand = (page) => page.evaluate(() => {
+  const speed = /** @type {HTMLSelectElement | null} */ (document.querySelector("#speed"));
+  if (!speed || speed.value === "0") return;
+  speed.value = "0";
+  speed.dispatchEvent(new Event("change"));
+});
 
 /** The program of the editor runs, and its time stands. @param {Page} page */
 async function ran(page) {
@@ -114,8 +122,6 @@ export const STATES = [
   }),
   at("menu", async (page) => {
     await page.locator("#run:enabled").waitFor();
-    // A row of the menu has the time stand, and closes it.
-    await still(page);
     await page.click("#menu-boardMenu");
   }, { options: { ...SCHOOL, locale: "pt-BR" } }),
 ];
@@ -124,8 +130,11 @@ export const STATES = [
 export async function reach(page, { go }) {
   await page.locator("#sheet .rung:visible, .cm-content:visible").first().waitFor();
   await go(page);
-  await still(page);
+  await stand(page);
+  await page.locator('#speed option[value="0"]:checked').waitFor({ state: "attached" });
   await quiet(page);
+  // How fast the computer is, is no state of the page.
+  await page.addStyleTag({ content: "#pace { visibility: hidden }" });
   await page.mouse.move(0, 0);
   await page.evaluate(() => document.fonts.ready);
 }
