@@ -24,7 +24,7 @@ pump := go AND NOT full;
 END_PROGRAM
 `;
 
-/** Waits until the notes are gone, which the test closes. @param {Page} page */
+/** Takes the notes away. @param {Page} page */
 const quiet = (page) => page.evaluate(() => document.getElementById("notes")?.replaceChildren());
 
 /** Has the time of the board stand, by the speed in the bar. @param {Page} page */

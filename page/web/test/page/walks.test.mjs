@@ -276,7 +276,7 @@ async function engineer(page, said, words, phone) {
 for (const [width, height] of SIZES) {
   for (const locale of /** @type {const} */ (["en-US", "pt-BR"])) {
     for (const walk of [student, teacher, engineer]) {
-      test(`a ${walk.name} walks, ${locale}, ${width} × ${height}`, async () => {
+      test(`the ${walk.name} walks, ${locale}, ${width} × ${height}`, async () => {
         const phone = width < 760;
         const { page, said } = await newcomer(lab, {
           locale, viewport: { width, height }, hasTouch: phone, isMobile: phone, acceptDownloads: true, permissions: ["clipboard-read", "clipboard-write"],
