@@ -297,7 +297,8 @@ fn stop(work: &mut Work<'_>, plc: &mut Linked<'_>, numbers: &mut Numbers) -> Res
     Ok(())
 }
 
-/// Begins RUN or STOP, with the program as after power-up, unless that has begun.
+/// Begins RUN or STOP, with the program as after power-up, unless that has begun. A single scan that ends RUN goes on from
+/// where the program is.
 ///
 /// # Errors
 /// Where the program cannot begin again.
@@ -309,13 +310,19 @@ fn enter(
     state: State,
 ) -> Result<(), Cause> {
     let Operation {
-        state: now, images, ..
+        state: now,
+        images,
+        command,
+        ..
     } = &mut work.scans.operation;
     if *now == state {
         return Ok(());
     }
     *now = state;
     numbers.finish(plc, &work.board.eeprom);
+    if *command == Some(Command::SingleScan) {
+        return Ok(());
+    }
     plc.restart(&work.board.eeprom, images)
 }
 

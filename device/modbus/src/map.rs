@@ -175,6 +175,8 @@ spans! {
         TIMERS = 128, super::TIMERS, Long, Rights::Read, "timer T 01–87: elapsed time";
         /// What the counters have counted.
         COUNTERS = 320, BOARD.counters, Long, Rights::Read, "counter C 01–16: value";
+        /// The stored form of the program, two bytes a word; where a program is shorter, whatever is kept after it.
+        PROGRAM = 1000, program_words(&BOARD), Word, Rights::Read, "the program in its stored form";
     }
 
     /// Holding registers.
@@ -251,6 +253,11 @@ pub const ALL: &[Span] = &{
 /// As many timers as fit an UNO's run memory: the linked form of a timer takes two bytes beside its data.
 const TIMERS: u16 = Board::UNO.linked_bytes / (2 + TIMER_DATA as u16);
 
+/// Words that hold the longest program of a board.
+const fn program_words(board: &Board) -> u16 {
+    board.stored_bytes.div_ceil(2)
+}
+
 /// Every address that this board has, table by table and in order: those of [`ALL`] with as many points as it has.
 pub fn of(board: &Board) -> impl Iterator<Item = Span> {
     let board = *board;
@@ -259,6 +266,7 @@ pub fn of(board: &Board) -> impl Iterator<Item = Span> {
             coil::OUTPUTS => board.outputs.min(WORD_POINTS).into(),
             discrete::INPUTS => board.inputs.into(),
             input::ANALOGUE => board.analogue.min(WORD_POINTS).into(),
+            input::PROGRAM => program_words(&board),
             holding::FORCED_MORE | holding::MORE_TO => (board.inputs > WORD_POINTS).into(),
             span => span.values,
         },
@@ -286,11 +294,17 @@ const fn joins(index: usize) -> bool {
         && ALL[index - 1].end() == ALL[index].first
 }
 
+/// Whether a span lies in an area. A window does not, nor the [program](input::PROGRAM), which has more addresses than a
+/// byte counts.
+const fn has_area(span: Span) -> bool {
+    span.rights.has_addresses() && span.addresses() <= u8::MAX as u16
+}
+
 /// Whether a span begins an area: where none goes before it, or it has too many addresses for a byte to count them
-/// with those before. A window is none.
+/// with those before.
 const fn begins_area(index: usize) -> bool {
     let span = ALL[index];
-    (!joins(index) || span.addresses() > 128) && span.rights.has_addresses()
+    (!joins(index) || span.addresses() > 128) && has_area(span)
 }
 
 const AREAS_BYTES: usize = {
@@ -302,7 +316,7 @@ const AREAS_BYTES: usize = {
     areas * AREA
 };
 
-/// Every address that can be read, as areas that one request may lie in, [`AREA`] bytes each: for a board that keeps
+/// Every address that can be read, but for the [program](input::PROGRAM), as areas that one request may lie in, [`AREA`] bytes each: for a board that keeps
 /// constants apart from its RAM. What lies side by side is one area. Where a byte cannot count its addresses it is two,
 /// and the first goes on into the second by as much as a request can.
 pub const AREAS: [u8; AREAS_BYTES] = {
@@ -320,8 +334,7 @@ pub const AREAS: [u8; AREAS_BYTES] = {
             (packed[at], packed[at + 1], packed[at + 2]) = (span.table as u8, low, high);
             at += AREA;
         }
-        if span.rights.has_addresses() {
-            assert!(span.addresses() == addresses as u16);
+        if has_area(span) {
             packed[at - 1] += addresses;
         }
         index += 1;
@@ -379,7 +392,7 @@ pub enum Command {
     Run = 1,
     /// STOP; ends an upload.
     Stop = 2,
-    /// One single scan, in STOP.
+    /// One single scan; in RUN, STOP comes first, and the scan goes on from where the program is.
     SingleScan = 3,
     /// The whole start-up again.
     Restart = 4,

@@ -31,6 +31,12 @@ const MARKERS: usize = coil::MARKERS.values as usize;
 const TIMER: u16 = input::TIMERS.first;
 const COUNTER: u16 = input::COUNTERS.first;
 const COMMAND: u16 = holding::COMMAND.first;
+/// A Nano has no room for what reads it.
+#[cfg(not(nano))]
+const PROGRAM: Span = input::PROGRAM;
+/// Words of the program that are read at once.
+#[cfg(not(nano))]
+const PROGRAM_SLICE: usize = 8;
 const REGISTER: u16 = holding::REGISTERS.first;
 
 // The presets go on where the registers end, and a slice begins.
@@ -178,7 +184,7 @@ impl Map<'_, '_, '_> {
             if let Ok(command) = self.command(value) {
                 self.operation.stopped = match command {
                     Command::Run => false,
-                    Command::Stop => true,
+                    Command::Stop | Command::SingleScan => true,
                     _ => self.operation.stopped,
                 };
                 self.operation.command = Some(command);
@@ -220,7 +226,7 @@ impl Map<'_, '_, '_> {
         let now = match command {
             Command::Run => !held,
             Command::Stop => !fault || uploading,
-            Command::SingleScan => !held && state == State::Stop,
+            Command::SingleScan => !held,
             Command::Restart => true,
             Command::Upload => state != State::Run && !uploading,
         };
@@ -256,6 +262,11 @@ impl Device for Map<'_, '_, '_> {
             first,
             count,
         } = *addresses;
+        #[cfg(not(nano))]
+        if table == Table::InputRegisters && first >= PROGRAM.first {
+            let offset = first - PROGRAM.first;
+            return offset < PROGRAM.values && count <= PROGRAM.values - offset;
+        }
         let mut at = 0;
         while at < AREAS.len() {
             let mut area = [0; AREA];
@@ -371,6 +382,18 @@ impl Device for Map<'_, '_, '_> {
         } = *addresses;
         let write = access == Access::Write;
         let input = table == Table::InputRegisters;
+        #[cfg(not(nano))]
+        if input && first >= PROGRAM.first {
+            let eeprom = &self.board.eeprom;
+            let mut at = program::STORED + ((first - PROGRAM.first) << 1);
+            let mut count = 0;
+            for word in words.iter_mut().take(PROGRAM_SLICE) {
+                *word = [eeprom.read(at), eeprom.read(at + 1)];
+                at += 2;
+                count += 1;
+            }
+            return count;
+        }
         if first < COMMAND && (!input || first >= TIMER) || first >= REGISTER {
             // None has more than 256 words.
             let (values, start) = if first >= REGISTER {

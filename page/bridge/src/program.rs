@@ -9,8 +9,10 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 use unoclp_client::diagnostics::Kept;
 use unoclp_core::{Board, Delay};
+use unoclp_lang::typed::Width;
+use unoclp_point::Address;
 use unoclp_program::used::Used;
-use unoclp_program::{Lang, Language, Seal, Source, Written, WrittenIn, lacks, not_sent};
+use unoclp_program::{Holding, Lang, Language, Seal, Source, Written, WrittenIn, lacks, not_sent};
 use unoclp_workspace::{Analysis, Version, Workspace};
 
 /// The longest text that is looked at, bytes.
@@ -103,6 +105,22 @@ impl From<Kept> for Stored {
     }
 }
 
+/// The registers that hold a variable of a text which is REAL by its declaration: a program that only moves it does not tell.
+fn declared(source: &Source) -> impl Iterator<Item = u8> {
+    let held = source
+        .variables
+        .iter()
+        .flat_map(|variable| match variable.holding {
+            Holding::One(held) => [Some(held), None],
+            Holding::Either { set, clear, .. } => [set, clear],
+            Holding::Constant(..) => [None; 2],
+        });
+    held.flatten().filter_map(|held| match held {
+        (Address::Register(number), base) if base.width() == Width::Single => Some(number),
+        _ => None,
+    })
+}
+
 impl Uses {
     /// What this program uses.
     pub fn of(source: &Source) -> Uses {
@@ -125,7 +143,7 @@ impl Uses {
             pwm: list(pwm),
             markers: list(markers),
             registers: list(registers),
-            reals: list(reals),
+            reals: list(&reals.iter().copied().chain(declared(source)).collect()),
             counters: list(counters),
             timers: timers
                 .filter_map(|step| Delay::of(step.opcode).map(Delay::letters))

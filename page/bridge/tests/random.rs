@@ -44,6 +44,7 @@ fn requests() -> Vec<Value> {
         json!({ "ask": "order", "board": 2, "order": { "do": "upload", "name": "a.il", "text": "LD I99\nTON T1, 20\nST Q9\n", "board": "pc" } }),
         json!({ "ask": "step", "board": 1, "now": 12.5, "came": [1, 3, 2, 0, 7, 255] }),
         order(json!({ "do": "run" })),
+        order(json!({ "do": "fetch" })),
         order(json!({ "do": "force", "output": true, "number": 1, "to": null })),
         order(json!({ "do": "set", "point": "D1", "value": -7 })),
         order(with(json!({ "do": "upload", "stay": true }))),

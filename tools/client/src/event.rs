@@ -2,6 +2,7 @@
 
 use crate::client::Failure;
 use crate::diagnostics::{Diagnostics, Kept, Trouble};
+use crate::download::Unread;
 use crate::identity::Identity;
 use crate::settings::Settings;
 use crate::start::NotFound;
@@ -32,6 +33,8 @@ pub enum Event<'e> {
     Stored(Kept),
     /// This is no longer forced, since an upload.
     Released(Forced),
+    /// The program that it keeps, as numeric code.
+    Fetched(&'e str),
     /// What it keeps for its next start.
     Settings(Settings),
     /// A firmware is on its way.
@@ -81,6 +84,8 @@ pub enum Undone {
     Broken(Broken),
     /// The program is stored, but the board does not begin it.
     NotStarted(Failure),
+    /// The program that it keeps was not read.
+    Unread(Unread),
     /// The settings are as they were.
     Unsettled(Unsettled),
     /// The firmware is not on it.
@@ -125,6 +130,15 @@ impl From<Failure> for Undone {
         match why {
             Failure::Refused(exception) => Undone::Refused(Refusal::Other(exception)),
             why => Undone::Lost(why),
+        }
+    }
+}
+
+impl From<Unread> for Undone {
+    fn from(why: Unread) -> Undone {
+        match why {
+            Unread::Failed(why) => why.into(),
+            why => Undone::Unread(why),
         }
     }
 }

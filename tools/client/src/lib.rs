@@ -5,6 +5,7 @@
 //! - [`client`]: requests and their answers
 //! - [`identity`], [`diagnostics`]: what a board says of itself
 //! - [`start`]: finding the board at the other end
+//! - [`download`]: the program that a board keeps, read back
 //! - [`upload`]: a program over the line in place of the card
 //! - [`flash`]: a firmware by its boot loader
 //! - [`watch`]: one reading of all that a screen shows, commands and forces
@@ -24,6 +25,7 @@
 pub mod client;
 mod conversation;
 pub mod diagnostics;
+pub mod download;
 pub mod event;
 pub mod flash;
 pub mod identity;

@@ -1,7 +1,9 @@
 //! What may be ordered of a board, and how it is done.
 
+use crate::AT_A_LINE;
 use crate::client::{Client, Failure};
 use crate::diagnostics::Diagnostics;
+use crate::download::download;
 use crate::event::Event;
 pub use crate::event::{Done, Refusal, Undone};
 use crate::flash::flash;
@@ -28,6 +30,8 @@ pub enum Order {
     Set(Address, i32),
     /// Put a program on it.
     Upload(Box<Upload>),
+    /// Tell the program that it keeps.
+    Fetch,
     /// Tell its settings.
     Settings,
     /// Keep these settings: the lock holds at once, all else from the next start on.
@@ -73,6 +77,11 @@ impl Order {
             }
             Order::Set(point, value) => point::set(client, *point, *value).await,
             Order::Upload(upload) => return upload.put(client, tell).await.map(Done::Uploaded),
+            Order::Fetch => {
+                let code = download(client, AT_A_LINE).await;
+                tell(Event::Fetched(&code.map_err(Undone::from)?));
+                Ok(())
+            }
             Order::Settings => {
                 tell(Event::Settings(Settings::read(client).await?));
                 Ok(())

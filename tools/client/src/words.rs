@@ -5,6 +5,7 @@
 
 use crate::client::Failure;
 use crate::diagnostics::Trouble;
+use crate::download::Unread;
 use crate::event::{Again, Away, Behind, Broken, Done, Pass, Refusal, Settled, Undone, Unsettled};
 use crate::identity::Identity;
 use crate::settings::RATES;
@@ -113,6 +114,13 @@ unoclp_words::messages! {
         "the program is stored, but after the restart the board reports {trouble}"
         "o programa está gravado, mas ao reiniciar a placa diz: {trouble}";
     stopped_with(what) "the program is stored, but stopped with {what}" "o programa está gravado, mas parou com {what}";
+    unread_empty() "the board holds no program" "a placa não tem programa";
+    unread_untold()
+        "this board's firmware cannot send its program: it is an older one, or that of a Nano"
+        "o firmware desta placa não envia o programa: é mais antigo, ou é o de um Nano";
+    unread_other()
+        "the board sent no program that is known here; read it again"
+        "a placa não enviou um programa conhecido aqui; leia de novo";
     no_rate(rate, rates)
         "a board does not support {rate} baud; it supports {rates}"
         "uma placa não aceita {rate} baud; ela aceita {rates}";
@@ -213,6 +221,7 @@ pub fn undone(lang: Lang, undone: &Undone) -> String {
         Undone::NotStopped(why) => not_stopped(lang, failure(lang, why)),
         Undone::Broken(why) => broken(lang, why),
         Undone::NotStarted(why) => not_started(lang, failure(lang, why)),
+        Undone::Unread(why) => unread(lang, why),
         Undone::Unsettled(why) => unsettled(lang, why),
         Undone::NotFlashed(why) => why.text(lang),
     }
@@ -288,6 +297,16 @@ pub fn behind(lang: Lang, behind: Behind) -> String {
         Behind::Trouble(what) => restarted_with(lang, trouble(lang, what)),
         Behind::Failing(None) => stopped_with(lang, "FAULT"),
         Behind::Failing(Some(what)) => stopped_with(lang, trouble(lang, what)),
+    }
+}
+
+/// Why the program of a board was not read.
+pub fn unread(lang: Lang, why: &Unread) -> String {
+    match why {
+        Unread::Empty => unread_empty(lang),
+        Unread::Untold => unread_untold(lang),
+        Unread::Other => unread_other(lang),
+        Unread::Failed(why) => failure(lang, why),
     }
 }
 

@@ -155,10 +155,15 @@ impl Core {
         match order {
             Order::Command(Command::Run | Command::Restart) => self.begin(State::Run),
             Order::Command(Command::Stop) => self.begin(State::Stop),
-            Order::Command(Command::SingleScan) if self.state == State::Stop => {
-                self.scan();
-                Ok(())
-            }
+            Order::Command(Command::SingleScan) => match self.state {
+                State::Run | State::Stop => {
+                    self.state = State::Stop;
+                    self.scan();
+                    Ok(())
+                }
+                _ => Err(both(told::refused_now)),
+            },
+            Order::Fetch => Err(both(words::own_program)),
             Order::Release => {
                 self.forced = Default::default();
                 Ok(())

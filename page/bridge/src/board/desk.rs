@@ -102,6 +102,10 @@ impl session::Desk for Desk {
                 self.watch();
                 News::Stored(Kept::from(kept))
             }
+            Event::Fetched(code) => News::Fetched {
+                order,
+                code: code.to_owned(),
+            },
             Event::Settings(settings) => News::Settings(settings.into()),
             Event::Flashing(progress) => News::Flashing {
                 order,

@@ -29,6 +29,8 @@ spoken! {
         Flashing { order: u32, done: usize, of: usize },
         /// What the board keeps since an upload.
         Stored(Kept),
+        /// The program that the board keeps, as numeric code.
+        Fetched { order: u32, code: String },
         /// What the board keeps for its next start.
         Settings(Line),
         /// Something ordered was done, and what there is to say of it.

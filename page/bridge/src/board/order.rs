@@ -32,12 +32,14 @@ said! {
     /// RUN, from the beginning.
     "run" {} => command(Command::Run);
     "stop" {} => command(Command::Stop);
-    /// One single scan, in STOP.
+    /// One single scan; a board in RUN stops for it.
     "scan" {} => command(Command::SingleScan);
     /// The whole start-up again.
     "restart" {} => command(Command::Restart);
     /// Lets all points go.
     "release" {} => Ordered::Board(Order::Release, None);
+    /// Tells the program that the board keeps, as numeric code.
+    "fetch" {} => Ordered::Board(Order::Fetch, None);
     /// Tells the settings.
     "settings" {} => Ordered::Board(Order::Settings, None);
     /// Forces an input or output, from 1, or lets it go.

@@ -61,6 +61,8 @@ export class Bench {
   private whenLost = (): void => undefined;
   private line: Line | null = null;
   private talk: Conversation | null = null;
+  /** The program that a board was asked for, as numeric code. */
+  private fetched = "";
   private readonly orders = new Map<number, (told: { said: Both | null } | { why: Both }) => void>();
 
   constructor(
@@ -259,6 +261,13 @@ export class Bench {
     this.on.value = text;
   }
 
+  /** The program that the board keeps, as numeric code. */
+  async fetch(): Promise<string> {
+    this.takeTime();
+    await this.order({ do: "fetch" });
+    return this.fetched;
+  }
+
   /** Puts a program on the board and runs it. */
   async put(text: Text): Promise<void> {
     this.upload.value = { share: 0 };
@@ -360,6 +369,9 @@ export class Bench {
         break;
       case "flashing":
         this.flashing.value = news.done / Math.max(news.of, 1);
+        break;
+      case "fetched":
+        this.fetched = news.code;
         break;
       case "settings":
         this.ways[this.where.value].expect(news);

@@ -11,9 +11,9 @@ export const FORM = "unoclp-hand-in-1";
 /** The program of such a file; null where it is none, which is told. */
 export function handedIn({ name: file, text }: Text): (Text & Partial<Work>) | null {
   try {
-    const { form, student, program, drawing } = JSON.parse(text) as Partial<Record<string, { name?: unknown; text?: unknown }>>;
+    const { form, student, exercise, program, drawing } = JSON.parse(text) as Partial<Record<string, { name?: unknown; text?: unknown }>>;
     if (String(form) === FORM && typeof program?.name === "string" && typeof program.text === "string") {
-      note(() => say("handedIn", { name: String(student?.name ?? "") }));
+      note(() => say("handedIn", { name: String(student?.name ?? ""), exercise: String(exercise?.name ?? "?") }));
       return { name: program.name, text: program.text, drawing: isDrawing(drawing) ? drawing : null };
     }
   } catch {

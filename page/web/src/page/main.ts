@@ -137,6 +137,7 @@ async function load(): Promise<void> {
   const desk = new Desk(bench);
   const panel = new Panel(byId("board"), bench, slot, desk.about, machine.root);
   byId("running").append(...start.controls, statusOf(bench, program), panel.time.speed);
+  const onBoard = new OnBoard(bench, program, remote);
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
   const shown = later(async () => {
     const them = await learning();
@@ -150,6 +151,7 @@ async function load(): Promise<void> {
     goTo,
     showPrograms: () => void import("./programs").then(({ showPrograms }) => showPrograms(program, remote, goTo, open)),
     turnCard: (card) => panel.turnCard(card),
+    fetch: () => void import("./fetch").then(({ fetchProgram }) => fetchProgram(bench, onBoard, remote, program.text.value, open)),
     desk: desk.rows, forBoard: forBoard.control, time: panel.time.rows, allButtons: panel.allButtons,
   });
   if (isFirst) {
@@ -181,7 +183,7 @@ async function load(): Promise<void> {
   };
   document.addEventListener("too-large", () => open(tooLarge(bench.board.value)));
 
-  new OnBoard(bench, program, remote).shown.follow((made) => {
+  onBoard.shown.follow((made) => {
     if (!made) return;
     panel.uses(made);
     const points = pointsOf(made);

@@ -40,6 +40,8 @@ interface Parts {
   showPrograms(): void;
   /** Shows a card beside the board, or takes it away. */
   turnCard(card: "hardware" | "faults"): void;
+  /** Reads the program of the board. */
+  fetch(): void;
   /** Connecting, firmware; which board a program is for; how time goes. */
   readonly desk: readonly HTMLElement[];
   readonly forBoard: HTMLElement;
@@ -62,6 +64,7 @@ export function menus(root: HTMLElement, parts: Parts): void {
   ];
   const board = (): Row[] => [
     ...parts.desk, "line", target, "line",
+    { id: "fetch", say: "fetch", act: () => parts.fetch() },
     { id: "open-settings", say: "tabSettings", act: () => tabs.open("settings") },
     { id: "open-card-tab", say: "tabCard", act: () => tabs.open("card") },
     { id: "open-serial", say: "tabSerial", act: () => tabs.open("serial") },

@@ -47,10 +47,10 @@ export class OnBoard {
   }
 
   /** The program that a board keeps so: the one of the editor, or one of before. */
-  private candidate(stored: Stored): Text | null {
+  candidate(stored: Stored): Text | null {
     const looked = this.program.looked.value;
-    if (looked?.checked.program && same(looked.checked.program.kept, stored)) return looked.text;
-    return this.ran.find(({ kept }) => same(kept, stored)) ?? null;
+    if (looked?.checked.program && isSame(looked.checked.program.kept, stored)) return looked.text;
+    return this.ran.find(({ kept }) => isSame(kept, stored)) ?? null;
   }
 
   /** Has the board watched by the program that it keeps, where that is known. */
@@ -76,12 +76,13 @@ export class OnBoard {
     const made = isWritten ? looked.checked.program : (await this.tools.ask("check", { of: on })).program;
     if (!made || this.bench.on.value !== on) return;
     this.known = { text: on, made };
-    this.ran = [{ ...on, kept: stored }, ...this.ran.filter(({ kept }) => !same(kept, stored))].slice(0, MOST);
+    this.ran = [{ ...on, kept: stored }, ...this.ran.filter(({ kept }) => !isSame(kept, stored))].slice(0, MOST);
     keep(KEPT, JSON.stringify(this.ran));
   }
 }
 
-function same(one: Stored, other: Stored): boolean {
+/** Whether two programs are kept as the same bytes. */
+export function isSame(one: Stored, other: Stored): boolean {
   return one.version === other.version && one.bytes === other.bytes && one.sum === other.sum;
 }
 

@@ -12,7 +12,6 @@ import { Lamps } from "./lamps";
 import { announce } from "./notes";
 import { layOut } from "./layout";
 import { inputsOf, upTo } from "./points";
-import { Signal } from "./signal";
 
 const SPEEDS = [1, 0.1, 0.01];
 /** Cards that are seen on request. */
@@ -44,7 +43,8 @@ export class Panel {
     this.time = this.clock();
     const lamps = h("div", { class: "card lights" }, h("h3", {}, h("span", { "data-say": "lamps" })), this.lamps.root);
     const docked = h("div", { class: "docked" }, this.contacts, lamps);
-    root.append(machine, h("div", {}, docked), this.knobs, this.time.pace, ...Object.values(this.cards), desk);
+    const none = h("p", { class: "empty no-machine", "data-say": "machineNone" });
+    root.append(machine, none, h("div", {}, docked), this.knobs, this.time.pace, ...Object.values(this.cards), desk);
     layOut(docked);
     for (const card of CARDS) this.cards[card].hidden = !(kept(SHOWN) ?? "").split(" ").includes(card);
     bench.board.follow((board) => {
@@ -202,19 +202,6 @@ export class Panel {
     });
     speak.follow(show);
     const scan = h("button", { type: "button", id: "scan", "data-say-title": "scanHint", click: () => void this.scan() }, icon("step"), h("span", { "data-say": "scan" }));
-    // STOP begins the program again: scans of a program that runs are its own.
-    const running = new Signal(false);
-    const offer = (): void => {
-      const key = running.value ? "scanStop" : "scanHint";
-      scan.disabled = running.value;
-      scan.dataset["sayTitle"] = key;
-      scan.title = say(key);
-    };
-    running.follow(offer);
-    speak.follow(offer);
-    bench.seen.follow((seen) => {
-      running.value = seen?.state === "RUN";
-    });
     bench.where.follow((where) => {
       pause.hidden = speed.hidden = where === "desk";
       pace.hidden = where !== "simulated";

@@ -151,7 +151,11 @@ function begin(): string {
   // Version 0.2.0 had one place for all.
   const from = newest === undefined ? (kind: Kind) => kept(kind) : (kind: Kind) => kept(`${kind}/${newest}`);
   listen();
-  return before !== null && kept(`program/${before}`) !== null ? before : copyOf(from);
+  if (before !== null && kept(`program/${before}`) !== null) return before;
+  const own = copyOf(from);
+  // The place of version 0.2.0 is none: what it held is here alone.
+  isCopy = newest !== undefined;
+  return own;
 }
 
 /** A new place that holds the same. */

@@ -33,13 +33,15 @@ export function showProblems(panel: HTMLElement, checked: Checked, lacks: number
 }
 
 /** Why what is written and drawn does not run. */
-export function whyNot({ lacks }: ProgramDocument): string {
-  return lacks.value > 0 ? say("drawingUnfinished", { n: lacks.value }) : say("checkErrors");
+export function whyNot({ lacks, looked }: ProgramDocument): string {
+  if (lacks.value > 0) return say("drawingUnfinished", { n: lacks.value });
+  return say(looked.value?.checked.blank ? "blankRun" : "checkErrors");
 }
 
 /** How many there are, in words; what is missing in the drawing comes first. */
 export function countOf(checked: Checked, lacks: number): string {
   if (lacks > 0) return say("drawingLacks", { n: lacks });
+  if (checked.blank) return say("programBlank");
   const n = checked.problems.length + checked.more;
   return n === 0 ? say("problemNone") : n === 1 ? say("problemOne") : say("problemMany", { n });
 }

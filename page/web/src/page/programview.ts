@@ -128,7 +128,7 @@ export class ProgramView {
       adapt: () => void this.adapt(text),
     });
     this.count.textContent = countOf(checked, lacks);
-    this.count.classList.toggle("bad", checked.program === null || lacks > 0);
+    this.count.classList.toggle("bad", lacks > 0 || (checked.program === null && !checked.blank));
     this.count.classList.toggle("good", checked.problems.length === 0 && lacks === 0);
     byId("tongue").textContent = LANGUAGES[checked.language || "il"][speak.value];
     const { program } = checked;

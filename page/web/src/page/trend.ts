@@ -37,8 +37,8 @@ export class Trend {
   /** The time of the cursor, and what each channel is there. */
   private readonly reading = h("span", { class: "note", id: "trend-reading" });
   private readonly hidden = new Set<string>();
-  /** Those whose channel has been offered: what a person chose of them stays. */
-  private readonly offered = new Set<string>();
+  /** Those that a person has shown or hidden: they stay so. */
+  private readonly chosen = new Set<string>();
   /** The names of all that is forced. */
   private marked: ReadonlySet<string> = new Set();
   private points: readonly Point[] = [];
@@ -135,10 +135,10 @@ export class Trend {
   watch(points: readonly Point[]): void {
     this.points = points;
     for (const { name, called } of points) {
-      if (this.offered.has(name)) continue;
-      this.offered.add(name);
+      if (this.chosen.has(name)) continue;
       // Of many those are shown first that a person knows by name, or sees at the board.
       if (points.length > MANY && called === "" && !/^[IQ]/.test(name)) this.hidden.add(name);
+      else this.hidden.delete(name);
     }
     this.build();
   }
@@ -163,6 +163,7 @@ export class Trend {
     const boxes = this.points.map((point) => {
       const box = h("input", { type: "checkbox", checked: !this.hidden.has(point.name) });
       box.addEventListener("change", () => {
+        this.chosen.add(point.name);
         if (box.checked) this.hidden.delete(point.name);
         else this.hidden.add(point.name);
         this.redraw();
@@ -189,7 +190,7 @@ export class Trend {
   /** The diagram as a picture for a report. */
   svg(): string {
     const [from, to] = this.window();
-    const labels = this.points.filter((point) => !this.hidden.has(point.name)).map((point) => ({ name: point.name, label: point.called || point.name }));
+    const labels = this.names.map((name) => ({ name, label: this.markedName(name) }));
     return timingSvg(this.recorder, labels, from, to);
   }
 
@@ -332,10 +333,15 @@ export class Trend {
     return called ? `${called} ${name}` : name;
   }
 
+  /** What a point is called, marked where it is forced. */
+  private markedName(name: string): string {
+    const called = this.points.find((point) => point.name === name)?.called || name;
+    return this.marked.has(name) ? `${called} (${say("forced")})` : called;
+  }
+
   /** A lane's name, and its value under the cursor. */
   private labelOf(name: string): string {
-    const point = this.points.find((point) => point.name === name)?.called || name;
-    const called = this.marked.has(name) ? `${point} (${say("forced")})` : point;
+    const called = this.markedName(name);
     const value = this.cursor === null ? undefined : this.recorder.table([name], this.cursor, this.cursor).values[0]?.[0];
     return value === undefined || Number.isNaN(value) ? called : `${called} = ${decimal(value)}`;
   }

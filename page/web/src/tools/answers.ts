@@ -360,6 +360,8 @@ export type News =
   | { readonly news: "storing"; readonly order: number }
   /** What the board keeps since an upload. */
   | ({ readonly news: "stored" } & Stored)
+  /** The program that the board keeps, as numeric code. */
+  | { readonly news: "fetched"; readonly order: number; readonly code: string }
   /** What the board keeps for its next start. */
   | ({ readonly news: "settings" } & Settings)
   /** Something ordered was done, and what there is to say of it. */

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import { Lab, choose, give, tab, type } from "./harness.mjs";
+import { Lab, choose, give, pick, state, tab, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page @typedef {readonly [en: RegExp, pt: RegExp]} Said */
 
@@ -114,6 +114,26 @@ test("a browser that keeps nothing says so, and offers the file", async () => {
   await note.getByRole("button", { name: "Save" }).click();
   assert.equal((await download).suggestedFilename(), "seal-in.il");
   await page.context().close();
+});
+
+test("a browser whose store is forbidden to the page says so, and runs the program", async () => {
+  for (const [locale, said] of /** @type {const} */ ([["en-US", "does not keep your program"], ["pt-BR", "não guarda o seu programa"]])) {
+    const context = await lab.browser.newContext({ locale, serviceWorkers: "block" });
+    await context.addInitScript(() => {
+      for (const name of ["localStorage", "sessionStorage", "indexedDB"]) {
+        Object.defineProperty(window, name, { get: () => { throw new DOMException("denied", "SecurityError"); } });
+      }
+    });
+    const page = await context.newPage();
+    page.on("pageerror", (error) => lab.errors.push(String(error.stack)));
+    page.on("dialog", (dialog) => void dialog.accept());
+    await page.goto(lab.server.url);
+    await page.locator("#notes", { hasText: said }).waitFor();
+    await state(page, "RUN");
+    await pick(page, "#programs");
+    await page.locator("#programs-list [data-program]").waitFor();
+    await context.close();
+  }
 });
 
 test("a browser without WebAssembly says so in plain HTML, and gives the program back", async () => {

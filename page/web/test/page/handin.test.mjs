@@ -71,7 +71,8 @@ test("what is handed in says who, which exercise and what; grade finds out the r
 
   const teacher = await lab.still({ locale: "pt-BR" });
   await choose(teacher, right.file, Buffer.from(right.text));
-  await teacher.locator("#notes", { hasText: "entregue por =Ana Júlia" }).waitFor();
+  // Which exercise it is for is said: another may be open.
+  await teacher.locator("#notes", { hasText: "entregue por =Ana Júlia, para o exercício 05-motor" }).waitFor();
   assert.equal(await keptText(teacher), said.program.text);
   assert.equal(await teacher.inputValue("#name"), "motor.il");
   await teacher.context().close();

@@ -91,10 +91,17 @@ const STEPS = [
   }],
   ["single scans are made, one at a time", async (page, hand) => {
     await tab(page, "watch", hand);
-    // In RUN there is none: it would begin the program again.
-    await page.locator("#scan:disabled").waitFor({ state: "attached" });
+    // In RUN it stops the board, and goes on from where the program is.
+    await page.waitForFunction(() => Number.parseInt(document.querySelector('tr[data-point="D1"] .value')?.textContent ?? "", 10) > 0);
+    const ran = await value(page, "D1");
+    await pick(page, "#scan", hand);
+    await state(page, "STOP");
+    assert.ok((await value(page, "D1")) >= ran);
+    // From the beginning again.
+    await pick(page, "#command-run", hand);
+    await state(page, "RUN");
     await hand.press(page, "#command-stop");
-    await page.locator("#scan:enabled").waitFor({ state: "attached" });
+    await page.waitForFunction(() => document.querySelector('tr[data-point="D1"] .value')?.textContent === "0");
     await pick(page, "#scan", hand);
     await page.waitForFunction(() => Number.parseInt(document.querySelector('tr[data-point="D1"] .value')?.textContent ?? "", 10) > 0);
     const before = await value(page, "D1");

@@ -129,18 +129,30 @@ export class Lab {
   }
 }
 
-/** Which menu has which rows. @type {Readonly<Record<string, string>>} */
-const MENUS = Object.fromEntries(Object.entries({
-  fileMenu: ["new-file", "open-file", "save-file", "share", "programs", "save-code", "save-drawing", "save-pages", "save-project", "save-card"],
-  learnMenu: ["exercises", "lessons", "examples", "machines"],
-  boardMenu: ["connect", "put-firmware", "model", "for-board", "open-settings", "open-card-tab", "open-serial", "pause", "scan", "command-run", "show-hardware", "show-faults"],
-  viewMenu: ["look-ladder", "look-blocks", "all-buttons", "theme", "speak"],
-  drawMore: ["draw-symbols", "draw-find", "draw-texts", "draw-print", "draw-keys", "operate"],
-}).flatMap(([menu, rows]) => rows.map((row) => [`#${row}`, menu])));
+/** The menu that has a row, by the row: as the page has told it. @type {Map<string, string>} */
+const menus = new Map();
+
+/** The menu that has a row. One that nobody has asked for is looked for in all of them. @param {import("playwright-core").Page} page
+ * @param {string} row */
+async function menuOf(page, row) {
+  if (!menus.has(row)) {
+    const found = await page.evaluate((row) => [...document.querySelectorAll(".menu > button")].find((one) => {
+      const button = /** @type {HTMLButtonElement} */ (one);
+      const isShut = button.getAttribute("aria-expanded") === "false";
+      if (isShut) button.click();
+      const has = button.nextElementSibling?.querySelector(row);
+      if (isShut) button.click();
+      return has;
+    })?.id, row);
+    assert.ok(found, `no menu has ${row}`);
+    menus.set(row, `#${found}`);
+  }
+  return menus.get(row) ?? "";
+}
 
 /** Opens the menu that has this row. @param {import("playwright-core").Page} page @param {string} row @param {import("./hands.mjs").Hand} [hand] */
 export async function unfold(page, row, hand) {
-  const menu = `#menu-${MENUS[row]}`;
+  const menu = await menuOf(page, row);
   if ((await page.getAttribute(menu, "aria-expanded")) === "true") return;
   if (hand) await hand.press(page, menu);
   else await page.click(menu);

@@ -3,6 +3,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { deflateRawSync } from "node:zlib";
 import { Lab, clean, keptText, lamp, pick, run, state, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -84,9 +85,17 @@ test("a tab that was duplicated has a place of its own", async () => {
 });
 
 test("the program and the board of version 0.2.0 are still there", async () => {
-  const page = await lab.other({}, { program: JSON.stringify({ name: "old.il", text: "LD I3\nST Q3\n" }), view: "both" });
+  const page = await lab.other({}, { program: JSON.stringify({ name: "old.il", text: "LD I3\nST Q3\n" }), view: "both", theme: "dark", speak: "pt" });
   assert.equal(await page.inputValue("#name"), "old.il");
   assert.match(await text(page), /LD I3ST Q3/);
+  // With its settings, and a link of then.
+  assert.equal(await page.getAttribute("html", "data-theme"), "dark");
+  assert.equal(await page.getAttribute("html", "lang"), "pt-BR");
+  const link = deflateRawSync(Buffer.from(JSON.stringify(["link.il", "LD I4\nST Q4\n"]))).toString("base64url");
+  await page.evaluate((hash) => void (location.hash = hash), `#p=${link}`);
+  await page.locator(".cm-content", { hasText: "LD I4" }).waitFor();
+  await page.click("#menu-fileMenu");
+  await page.locator("#menu-fileMenu + div button", { hasText: "old.il" }).first().waitFor();
   await page.context().close();
 });
 
@@ -171,6 +180,20 @@ test("a note ends, whatever it offers", async () => {
   assert.equal(await page.locator("#notes > div").count(), 1);
   await page.clock.runFor(200);
   await page.locator("#notes > div").waitFor({ state: "detached" });
+  await page.context().close();
+});
+
+test("what a note offered is in the menu once the note is gone", async () => {
+  const page = await lab.still();
+  await type(page, "LD I3\nST Q3\n", "mine.il");
+  await pick(page, "#new-file");
+  await page.locator("#notes").getByRole("button", { name: "Undo" }).waitFor();
+  await page.locator("#notes").getByRole("button", { name: "Close" }).click();
+  await page.locator("#notes > div").waitFor({ state: "detached" });
+  await page.click("#menu-fileMenu");
+  await page.locator("#menu-fileMenu + div button", { hasText: "mine.il" }).first().click();
+  assert.match(await text(page), /LD I3ST Q3/);
+  assert.equal(await page.inputValue("#name"), "mine.il");
   await page.context().close();
 });
 

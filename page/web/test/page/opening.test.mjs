@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { HANDS, holding } from "./hands.mjs";
 import { Lab, clean, lamp, pick, pictures, state, tab, type } from "./harness.mjs";
+import { CONTROLS, SIZES, inView, newcomer, stands } from "./newcomer.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -18,44 +19,14 @@ after(() => lab.end());
 
 /** @typedef {import("playwright-core").Page} Page */
 
-const SIZES = /** @type {const} */ ([[1366, 768], [1920, 1080], [390, 844]]);
-/** Controls that a newcomer sees at first, at most. */
-const CONTROLS = 25;
 /** The sheet is as high as this in every state, px. */
 const SHEET = 350;
-/** How far what is seen may be moved without being asked to, as browsers count it. */
-const SHIFT = 0.02;
-
-/** A page in a browser of a newcomer, which counts what is shifted. @param {import("playwright-core").BrowserContextOptions} options */
-async function newcomer(options) {
-  const context = await lab.browser.newContext({ serviceWorkers: "block", ...options });
-  const page = await context.newPage();
-  /** @type {string[]} */
-  const said = [];
-  page.on("console", (message) => void (/Service Worker/.test(message.text()) || said.push(message.text())));
-  page.on("pageerror", (error) => void said.push(String(error.stack)));
-  await page.addInitScript(() => {
-    let shift = 0;
-    new PerformanceObserver((list) => {
-      for (const one of list.getEntries()) if (!(/** @type {any} */ (one).hadRecentInput)) shift += /** @type {any} */ (one).value;
-      document.documentElement.dataset["shift"] = String(shift);
-    }).observe({ type: "layout-shift", buffered: true });
-  });
-  await page.goto(lab.server.url);
-  return { page, said };
-}
-
-/** The controls that are in view. @param {Page} page */
-const inView = (page) => page.evaluate(() => [...document.querySelectorAll("button, select, input, a, summary, [role=tab]")].filter((one) => {
-  const { left, right, top, bottom, width } = one.getBoundingClientRect();
-  return one.checkVisibility({ visibilityProperty: true }) && width > 1 && bottom > 0 && top < innerHeight && right > 0 && left < innerWidth;
-}).map((one) => one.id || one.getAttribute("aria-label") || one.textContent));
 
 for (const [width, height] of SIZES) {
   for (const [locale, sentence] of /** @type {const} */ ([["en-US", /makes a PLC of an Arduino UNO/], ["pt-BR", /faz de um Arduino UNO um CLP/]])) {
     test(`a newcomer sees a sentence, a program that runs, and three doors, ${locale}, ${width} × ${height}`, async () => {
       const phone = width < 760;
-      const { page, said } = await newcomer({ locale, viewport: { width, height }, hasTouch: phone, isMobile: phone });
+      const { page, said } = await newcomer(lab, { locale, viewport: { width, height }, hasTouch: phone, isMobile: phone });
       await page.locator("#welcome p", { hasText: sentence }).waitFor();
       for (const door of ["draw", "exercises", "examples"]) await page.locator(`#door-${door}`).waitFor();
       // No fault is shown of a board that holds no program, and then it runs by itself.
@@ -67,8 +38,7 @@ for (const [width, height] of SIZES) {
       const notes = await page.locator("#notes button").count();
       assert.ok(seen.length - notes <= CONTROLS, `${seen.length - notes} controls: ${seen.join(", ")}`);
       await page.screenshot({ path: join(pictures, `first-${locale}-${width}.png`) });
-      const shift = Number(await page.evaluate(() => document.documentElement.dataset["shift"] ?? "0"));
-      assert.ok(shift < SHIFT, `layout shift ${shift}`);
+      await stands(page);
       // There is something to press.
       const hand = HANDS[phone ? 1 : 0];
       await holding(page, 1, () => lamp(page, 1, true), hand);
@@ -81,7 +51,7 @@ for (const [width, height] of SIZES) {
 }
 
 test("the door Draw leads to an empty sheet with the palette, and is not there the next time", async () => {
-  const { page } = await newcomer({ locale: "en-US", viewport: { width: 1366, height: 768 } });
+  const { page } = await newcomer(lab, { locale: "en-US", viewport: { width: 1366, height: 768 } });
   await page.click("#door-draw");
   await page.locator("#sheet .rung").first().waitFor();
   await page.locator('.palette [data-what="contact"]').waitFor();

@@ -5,8 +5,13 @@ import { pick, still } from "./harness.mjs";
 
 /** A page that is connected to the board at the port; its own one stands. @param {import("./harness.mjs").Lab} lab */
 export async function connected(lab) {
-  const page = await lab.open();
-  await page.context().addInitScript(plugIn);
+  return connect(await lab.open());
+}
+
+/** Connects a page to a board whose EEPROM may be kept as the browser keeps that of a simulated one.
+ * @param {import("playwright-core").Page} page @param {string | null} eeprom */
+export async function connect(page, eeprom = null) {
+  await page.context().addInitScript(plugIn, eeprom);
   await page.reload();
   await page.locator("#run:enabled").waitFor();
   await still(page);
@@ -15,8 +20,8 @@ export async function connected(lab) {
   return page;
 }
 
-/** Runs in the page, before all else: a port with a board behind it. */
-function plugIn() {
+/** Runs in the page, before all else: a port with a board behind it. @param {string | null} eeprom */
+function plugIn(eeprom) {
   class Port extends EventTarget {
     worker = new Worker("board.js", { type: "module" });
     /** @type {ReadableStreamDefaultController<Uint8Array> | null} */
@@ -36,6 +41,7 @@ function plugIn() {
       });
       void fetch("unoclp.bin").then(async (answer) => {
         this.worker.postMessage({ kind: "firmware", bytes: new Uint8Array(await answer.arrayBuffer()) });
+        if (eeprom) this.worker.postMessage({ kind: "eeprom", bytes: Uint8Array.from(atob(eeprom), (one) => one.charCodeAt(0)) });
         this.worker.postMessage({ kind: "plug", on: true });
         this.worker.postMessage({ kind: "run" });
       });

@@ -83,6 +83,17 @@ test("a link to an unfinished drawing opens that drawing, with all that can be u
   await other.context().close();
 });
 
+test("an empty program is no mistake, and Run says that there is none", async () => {
+  for (const [locale, empty, none] of /** @type {const} */ ([["en-US", "Empty program", "There is no program yet"], ["pt-BR", "Programa vazio", "Ainda não há programa"]])) {
+    const page = await lab.emptySheet({ locale });
+    await page.locator("#problem-count:not(.bad):not(.good)", { hasText: empty }).waitFor();
+    await page.click("#run");
+    await page.locator("#notes", { hasText: none }).waitFor();
+    assert.equal(await page.locator("progress:visible").count(), 0, "nothing is uploaded");
+    await page.context().close();
+  }
+});
+
 test("a form keeps its fields at a mistake, and tells it beside the field", async () => {
   const page = await lab.emptySheet({ locale: "pt-BR", viewport: { width: 1366, height: 768 } });
   await place(page, "contact", { point: "liga", name: "" });

@@ -24,6 +24,7 @@ mod modbus_data;
 mod modbus_frames;
 mod modbus_line;
 mod modbus_lock;
+mod modbus_program;
 mod modbus_upload;
 mod monitor;
 mod program_memory;

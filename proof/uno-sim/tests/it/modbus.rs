@@ -125,12 +125,40 @@ fn stop_single_scan_and_run_by_command() {
     assert_eq!(uno.outputs(), 0b11);
     assert_eq!(words(&mut uno, 3, 400, 1), [RUN]);
     write(&mut uno, 400, RUN).unwrap();
-    for refused in [SINGLE_SCAN, UPLOAD] {
-        assert_eq!(write(&mut uno, 400, refused), Err(4));
-    }
+    assert_eq!(write(&mut uno, 400, UPLOAD), Err(4));
     for wrong in [0, 6, 0xFFFF] {
         assert_eq!(write(&mut uno, 400, wrong), Err(3));
     }
+}
+
+/// Output 01 is set by input 01 and never reset, output 02 follows it; T 01 runs while input 02 is closed.
+const HOLDS: &str =
+    "0\n827301\n83877901\n787600\n827901\n877902\n787600\n827302\n847978\n70000\n7903\n";
+
+#[test]
+fn a_single_scan_in_run_goes_on_from_where_the_program_is() {
+    let mut uno = serving(HOLDS);
+    uno.set_inputs(0b11);
+    uno.run_ms(40).unwrap();
+    uno.set_inputs(0b10);
+    uno.run_ms(20).unwrap();
+    assert_eq!(uno.outputs(), 0b11);
+    write(&mut uno, 400, SINGLE_SCAN).unwrap();
+    uno.run_ms(5).unwrap();
+    assert_eq!(words(&mut uno, 4, 16, 2), [STOP, FORM | 0b10]);
+    assert_eq!(uno.outputs(), 0, "on no pin");
+    assert_eq!(bits(&mut uno, 1, 0, 4), 0b11, "in the image");
+    let elapsed = |uno: &mut Uno| long(&words(uno, 4, 128, 2));
+    let first = elapsed(&mut uno);
+    assert!((50..100).contains(&first), "{first}");
+    write(&mut uno, 400, SINGLE_SCAN).unwrap();
+    uno.run_ms(5).unwrap();
+    assert_eq!(bits(&mut uno, 1, 0, 4), 0b11);
+    assert!(elapsed(&mut uno) >= first);
+    // RUN and STOP begin as after power-up.
+    write(&mut uno, 400, RUN).unwrap();
+    uno.run_ms(5).unwrap();
+    assert_eq!(uno.outputs(), 0);
 }
 
 #[test]

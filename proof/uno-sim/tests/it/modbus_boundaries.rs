@@ -14,9 +14,9 @@ const PROGRAM: &str = "0\n827301\n847978\n60000\n7901\n787600\n827302\n847970\n6
     787600\n827303\n67848501\n3\n877903\n";
 
 /// First and last address of every range, and their neighbours.
-const ADDRESSES: [u16; 35] = [
+const ADDRESSES: [u16; 37] = [
     0, 3, 4, 7, 8, 15, 16, 32, 33, 63, 64, 79, 80, 127, 128, 131, 132, 301, 302, 319, 320, 351,
-    352, 399, 400, 402, 405, 410, 413, 1000, 1999, 2000, 2195, 2196, 0xFFFF,
+    352, 399, 400, 402, 405, 410, 413, 1000, 1449, 1450, 1999, 2000, 2195, 2196, 0xFFFF,
 ];
 
 /// What a function may be asked for, by `docs/modbus.md`.
@@ -25,7 +25,7 @@ fn ranges(function: u8, state: u16) -> Vec<RangeInclusive<u16>> {
     match function {
         1 | 5 | 15 => vec![0..=3, 16..=79],
         2 => vec![0..=7],
-        4 => vec![0..=4, 16..=32, 128..=301, 320..=351],
+        4 => vec![0..=4, 16..=32, 128..=301, 320..=351, 1000..=1449],
         3 => [&[0..=301, 320..=351, 2000..=2195], &settings[..]].concat(),
         _ if state == FAULT => [&[0..=127, 2000..=2195], &settings[..]].concat(),
         _ => [&[0..=131, 320..=321, 2000..=2195], &settings[..]].concat(),

@@ -102,7 +102,6 @@ fn forces_move_pins_until_they_are_let_go() {
 fn commands_do_what_the_page_says() {
     let mut uno = board(PROGRAM);
     let refused = Err(Failure::Refused(Exception::ServerDeviceFailure));
-    assert_eq!(command(&mut uno, Command::SingleScan), refused);
     command(&mut uno, Command::Stop).unwrap();
     set_inputs(&mut uno, 1);
     command(&mut uno, Command::SingleScan).unwrap();

@@ -173,7 +173,7 @@ impl Board {
         match command {
             Command::Run => self.state == RUN || stop && !self.switch && !uploading,
             Command::Stop => self.state != FAULT || uploading,
-            Command::SingleScan => stop && !self.switch && !uploading,
+            Command::SingleScan => self.state != FAULT && !self.switch && !uploading,
             Command::Restart => true,
             Command::Upload => self.state != RUN && !uploading,
         }
@@ -187,7 +187,10 @@ impl Board {
             }
             Command::Stop if self.is_uploading() => self.upload = None,
             Command::Stop => (self.state, self.stopped) = (STOP, true),
-            Command::SingleScan => self.single_scans += 1,
+            Command::SingleScan => {
+                (self.state, self.stopped) = (STOP, true);
+                self.single_scans += 1;
+            }
             Command::Restart => self.restart(),
             Command::Upload => {
                 self.fault = 0;

@@ -5,7 +5,7 @@ use crate::line::Wire;
 use unoclp_client::diagnostics::{Diagnostics, Kept};
 use unoclp_client::lock;
 use unoclp_client::map::{Command, Parity, State, cause, holding, input};
-use unoclp_client::order::{Done, Order, Refusal, Undone};
+use unoclp_client::order::{Done, Order, Undone};
 use unoclp_client::settings::{Settings, read_lock};
 use unoclp_client::watch::{Forces, Meter, Reading, Scope, Side};
 use unoclp_client::{Client, Failure};
@@ -134,9 +134,11 @@ fn commands_reach_the_board() {
         (Ok(Done::Plainly), STOP, 1, 0)
     );
     assert_eq!(command(Command::Run), (Ok(Done::Plainly), RUN, 1, 0));
-    let refused = Err(Undone::Refused(Refusal::NotInStop));
-    assert_eq!(command(Command::SingleScan), (refused, RUN, 1, 0));
-    assert_eq!(command(Command::Restart), (Ok(Done::Plainly), RUN, 1, 1));
+    assert_eq!(
+        command(Command::SingleScan),
+        (Ok(Done::Plainly), STOP, 2, 0)
+    );
+    assert_eq!(command(Command::Restart), (Ok(Done::Plainly), RUN, 2, 1));
 }
 
 #[test]

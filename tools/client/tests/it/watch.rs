@@ -62,6 +62,7 @@ impl Desk for Watcher {
             Event::Found(_) => "found".to_owned(),
             Event::Lost(_) => "lost".to_owned(),
             Event::Stored(_) => "stored".to_owned(),
+            Event::Fetched(_) => "fetched".to_owned(),
             Event::Settings(_) => "settings".to_owned(),
             Event::Released(_) => "released".to_owned(),
             Event::Sent(_) => return,

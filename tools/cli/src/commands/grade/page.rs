@@ -25,6 +25,7 @@ pub fn html(rows: &[Row<'_>], course: &Course) -> String {
         html lang=(name) {
             head {
                 meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
                 title { (title) }
                 style { (PreEscaped(STYLE)) }
             }

@@ -1,0 +1,77 @@
+// The timing diagram: which channels are seen first, by which names, and what of them is forced. When things have happened is
+// in `truth.test.mjs` and in `test/trend/`.
+// @ts-check
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { Lab, lamp, run, tab, type } from "./harness.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+/** @type {Lab} */
+let lab;
+before(async () => {
+  lab = await Lab.begin();
+});
+after(() => lab.end());
+
+/** Two inputs and two outputs, a marker with a name, and eight without. */
+const MANY = `VAR
+  go AT %I1 : BOOL;
+  motor AT %Q1 : BOOL;
+  asked AT %M1 : BOOL;
+END_VAR
+LD go
+ST asked
+ST motor
+LD I2
+ST Q2
+${Array.from({ length: 8 }, (_, marker) => `ST M${marker + 2}`).join("\n")}
+`;
+
+/** What a button of the diagram saves. @param {Page} page @param {string} name */
+async function saved(page, name) {
+  const download = page.waitForEvent("download");
+  await page.locator(".trend-tools button", { hasText: name }).click();
+  return readFileSync(await (await download).path(), "utf8");
+}
+
+test("channels that one sees at the board or knows by name are chosen first, and go by their names in the table", async () => {
+  const page = await lab.open();
+  await type(page, MANY, "many.il");
+  await run(page);
+  const chosen = () => page.locator(".channels label").evaluateAll((labels) => labels.filter((label) => label.querySelector("input")?.checked).map((label) => label.textContent));
+  await page.locator(".channels label", { hasText: "M9" }).waitFor();
+  assert.deepEqual(await chosen(), ["go (I1)", "I2", "motor (Q1)", "Q2", "asked (M1)"]);
+  assert.match(await saved(page, "CSV"), /^ms,go I1,I2,motor Q1,Q2,asked M1\n/);
+  // What a person chooses stays, whatever runs next.
+  await page.locator(".channels label", { hasText: "M9" }).click();
+  await page.locator(".channels label", { hasText: "Q2" }).click();
+  await type(page, MANY.replace("I2", "I3"), "many.il");
+  await run(page);
+  await page.locator(".channels label", { hasText: "I3" }).waitFor();
+  assert.deepEqual(await chosen(), ["go (I1)", "I3", "motor (Q1)", "asked (M1)", "M9"]);
+  await page.context().close();
+});
+
+test("a forced input is what it is forced to, and is marked, in the diagram and in its picture", async () => {
+  for (const [locale, mark] of /** @type {const} */ ([["en-US", "go (forced)"], ["pt-BR", "go (forçado)"]])) {
+    const page = await lab.open({ locale });
+    await type(page, MANY, "many.il");
+    await run(page);
+    await tab(page, "watch");
+    await page.locator('tr[data-point="I1"] button').first().click();
+    await lamp(page, 1, true);
+    await tab(page, "trend");
+    await page.locator(".trend canvas").waitFor();
+    await page.click("#trendBefore");
+    await page.locator("#trend-reading", { hasText: `${mark} = 1` }).waitFor();
+    assert.ok((await saved(page, "SVG")).includes(`>${mark}<`));
+    await tab(page, "watch");
+    await page.click("#release");
+    await lamp(page, 1, false);
+    await tab(page, "trend");
+    assert.ok(!(await saved(page, "SVG")).includes(mark));
+    await page.context().close();
+  }
+});
