@@ -1,5 +1,6 @@
 //! The Modbus server: every function in RUN, STOP and FAULT, commands, forcing.
 
+use crate::BOARD;
 use crate::common::modbus::{
     FORM, ask, bits, input, long, serving, to_serving, words, write, write_coil, write_words,
 };
@@ -53,12 +54,10 @@ fn every_function_in_every_state() {
         let reply = ask(&mut uno, &[1, 0x2B, 14, 1, 0]).unwrap();
         assert_eq!(reply[..8], [1, 0x2B, 14, 1, 0x81, 0, 0, 3]);
         let version = env!("CARGO_PKG_VERSION");
-        let texts = [
-            &b"\x00\x06unoclp\x01\x0Aunoclp UNO\x02"[..],
-            &[version.len() as u8],
-        ]
-        .concat();
-        assert_eq!(reply[8..], [&texts, version.as_bytes()].concat());
+        let product = format!("unoclp {}", BOARD.name);
+        let objects = (0..).zip(["unoclp", &product, version]);
+        let texts = objects.flat_map(|(n, text)| [&[n, text.len() as u8], text.as_bytes()].concat());
+        assert_eq!(reply[8..], texts.collect::<Vec<u8>>());
         // Any other.
         assert_eq!(ask(&mut uno, &[1, 7]), Some(vec![1, 0x87, 1]));
         assert_eq!(uno.resets(), 0);
@@ -230,10 +229,15 @@ fn forcing_stands_between_pins_and_program() {
     assert_eq!(uno.outputs(), 0b0100);
     assert_eq!(words(&mut uno, 4, 16, 2), [RUN, FORM]);
     // Only points that exist.
-    assert_eq!(write(&mut uno, 402, 0x100), Err(3));
-    assert_eq!(write(&mut uno, 404, 0x10), Err(3));
-    assert_eq!(write(&mut uno, 405, 0x10), Err(3));
-    assert_eq!(write_words(&mut uno, 402, &[1, 1, 1, 0x100]), Err(3));
+    if BOARD.inputs > 16 {
+        assert_eq!(write(&mut uno, 407, 0x100), Err(3));
+        assert_eq!(write_words(&mut uno, 405, &[1, 0, 0, 0x100]), Err(3));
+    } else {
+        assert_eq!(write(&mut uno, 402, 0x100), Err(3));
+        assert_eq!(write(&mut uno, 404, 0x10), Err(3));
+        assert_eq!(write(&mut uno, 405, 0x10), Err(3));
+        assert_eq!(write_words(&mut uno, 402, &[1, 1, 1, 0x100]), Err(3));
+    }
     assert_eq!(words(&mut uno, 3, 402, 4), [0; 4]);
 }
 

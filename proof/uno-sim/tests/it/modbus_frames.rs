@@ -3,6 +3,7 @@
 #[path = "../../../../device/modbus/tests/it/common/random.rs"]
 mod random;
 
+use crate::BOARD;
 use crate::common::modbus::{ask, bits, exchange, serving, with_crc};
 use crate::common::{card, ms_until, uno};
 use random::Random;
@@ -26,6 +27,8 @@ struct Table {
 #[derive(serde::Deserialize)]
 struct Case {
     name: String,
+    /// Where only this board answers so.
+    board: Option<String>,
     frames: Vec<[String; 2]>,
 }
 
@@ -48,6 +51,9 @@ fn each_request_of_the_table_gets_its_reply() {
     uno.run_ms(5).unwrap();
     let mut frames = 0;
     for case in table.case {
+        if case.board.is_some_and(|board| board != BOARD.id()) {
+            continue;
+        }
         for [request, reply] in &case.frames {
             let expected = Some(bytes(reply)).filter(|reply| !reply.is_empty());
             assert_eq!(
@@ -85,7 +91,8 @@ fn running() -> Uno {
 fn assert_well(uno: &mut Uno, inputs: u8) {
     uno.set_inputs(inputs);
     uno.run_ms(1).unwrap();
-    assert_eq!(uno.outputs(), inputs);
+    // Others may have been written by a frame.
+    assert_eq!(uno.outputs() & 0x0F, inputs);
     assert_eq!(bits(uno, 2, 0, 4), inputs);
     assert_eq!(uno.resets(), 0);
 }

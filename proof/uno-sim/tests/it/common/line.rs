@@ -92,5 +92,5 @@ pub fn write(uno: &mut Uno, image: &Image, fate: Fate<'_>) -> Result<(), boot::F
 /// Finds the board that has just been powered.
 pub fn meet(uno: &mut Uno) {
     let identity = talk(uno, async |client| find(client, true).await).unwrap();
-    assert_eq!(identity.product, "unoclp UNO");
+    assert_eq!(identity.product, format!("unoclp {}", crate::BOARD.name));
 }

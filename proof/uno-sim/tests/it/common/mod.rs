@@ -1,5 +1,7 @@
 //! What the tests on the firmware share.
 
+pub mod alike;
+pub mod cases;
 pub mod line;
 pub mod modbus;
 pub mod state;
@@ -7,12 +9,22 @@ pub mod state;
 use std::path::{Path, PathBuf};
 use unoclp_card::image::{Fat, Image};
 use unoclp_uno_sim::sd::{Kind, SdCard};
-use unoclp_uno_sim::{CYCLES_PER_MS, Program, Slot, Uno, firmware_file};
+use unoclp_core::Board;
+use unoclp_uno_sim::{CYCLES_PER_MS, Program, Slot, Uno, firmware_file, mega_file};
 
 /// The firmware under test.
 pub fn firmware() -> Program {
-    let elf = firmware_file().unwrap_or_else(|error| panic!("{error}"));
+    let elf = match crate::BOARD == Board::MEGA {
+        true => mega_file(),
+        false => firmware_file(),
+    };
+    let elf = elf.unwrap_or_else(|error| panic!("{error}"));
     Program::read(&elf).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Where in the EEPROM of the board that stands which stands here on an UNO, after the program: there is more room for one.
+pub fn place(on_uno: u16) -> u16 {
+    on_uno + crate::BOARD.stored_bytes - Board::UNO.stored_bytes
 }
 
 /// All scenario files in these folders of the project, in order.
