@@ -1,20 +1,36 @@
 //! What lies between a step of a conversation and what is said in it.
 
+use crate::AT_A_LINE;
 use std::cell::{Cell, RefCell};
 use std::future::poll_fn;
 use std::rc::Rc;
 use std::task::Poll;
 use std::time::Duration;
+use unoclp_core::Board;
 
 /// What lies between a step and what is said.
-#[derive(Default)]
 pub(crate) struct Mailbox {
+    /// The board at the other end.
+    pub board: Cell<Board>,
     pub now: Cell<Duration>,
     /// When to go on if nothing comes.
     pub until: Cell<Duration>,
     pub came: RefCell<Vec<u8>>,
     pub send: RefCell<Vec<u8>>,
     pub gone: RefCell<Option<String>>,
+}
+
+impl Default for Mailbox {
+    fn default() -> Mailbox {
+        Mailbox {
+            board: Cell::new(AT_A_LINE),
+            now: Cell::default(),
+            until: Cell::default(),
+            came: RefCell::default(),
+            send: RefCell::default(),
+            gone: RefCell::default(),
+        }
+    }
 }
 
 /// The port is gone, and why.
@@ -28,6 +44,16 @@ impl Link {
     /// The time of this step.
     pub fn now(&self) -> Duration {
         self.0.now.get()
+    }
+
+    /// The board at the other end.
+    pub fn board(&self) -> Board {
+        self.0.board.get()
+    }
+
+    /// It has said which it is.
+    pub fn meet(&self, board: Board) {
+        self.0.board.set(board);
     }
 
     /// Sends bytes. What has come before that is forgotten: it is late, or was never meant for us.

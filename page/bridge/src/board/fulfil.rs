@@ -9,12 +9,12 @@ use super::undone::Undone;
 use super::watched::Watched;
 use crate::program::source;
 use crate::words::{self, Both, both, told};
+use unoclp_client::Client;
 use unoclp_client::map::{Command, State};
 use unoclp_client::point;
 use unoclp_client::settings::Settings;
 use unoclp_client::upload::{Broken, Pass, Progress, go_on, needs, stop, upload_program};
 use unoclp_client::watch::{Side, Wish};
-use unoclp_client::{AT_A_LINE, Client};
 use unoclp_lang::no_such_point;
 use unoclp_point::Address;
 use unoclp_program::{Lang, not_sent};
@@ -39,7 +39,7 @@ pub(super) async fn fulfil(
         }
         Order::Set { point: name, value } => {
             let point = Address::parse(&name);
-            if let Some(lacking) = point.and_then(|point| no_such_point(point, AT_A_LINE)) {
+            if let Some(lacking) = point.and_then(|point| no_such_point(point, client.board())) {
                 return Err(Undone::Told(both(|lang| told(&lacking, lang))));
             }
             let point = point.filter(|point| point::is_written(*point));
