@@ -50,11 +50,13 @@ impl Image {
     /// The pages with their addresses in bytes, the last filled up.
     pub(crate) fn pages(&self) -> impl Iterator<Item = (u32, Vec<u8>)> {
         let size = self.model.chip().page;
-        (0..).zip(self.bytes.chunks(size)).map(move |(index, bytes)| {
-            let mut page = bytes.to_vec();
-            page.resize(size, ERASED);
-            (index * size as u32, page)
-        })
+        (0..)
+            .zip(self.bytes.chunks(size))
+            .map(move |(index, bytes)| {
+                let mut page = bytes.to_vec();
+                page.resize(size, ERASED);
+                (index * size as u32, page)
+            })
     }
 }
 

@@ -93,7 +93,11 @@ impl Protocol {
             ),
             Protocol::V2 => {
                 // What is read stands between two states.
-                let tail = if says > 0 { vec![COMMAND_OK] } else { Vec::new() };
+                let tail = if says > 0 {
+                    vec![COMMAND_OK]
+                } else {
+                    Vec::new()
+                };
                 let number = number.wrapping_add(1);
                 let mut head = begin(number, 2 + says + tail.len());
                 head.extend([request.first().copied().unwrap_or_default(), COMMAND_OK]);

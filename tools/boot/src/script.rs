@@ -129,19 +129,11 @@ impl Script {
 
     fn ask_signature(&mut self) {
         match self.protocol {
-            Protocol::V1 => self.say(
-                Stage::Meeting,
-                Subject::Signature(0),
-                &[v1::READ_SIGNATURE],
-            ),
+            Protocol::V1 => self.say(Stage::Meeting, Subject::Signature(0), &[v1::READ_SIGNATURE]),
             Protocol::V2 => {
                 for index in 0..3 {
                     let request = [v2::READ_SIGNATURE, 4, v2::SIGNATURE, 0, index, 0];
-                    self.say(
-                        Stage::Meeting,
-                        Subject::Signature(index.into()),
-                        &request,
-                    );
+                    self.say(Stage::Meeting, Subject::Signature(index.into()), &request);
                 }
             }
         }

@@ -37,7 +37,11 @@ fn a_mega_is_written_by_its_own_protocol() {
         assert_eq!(bench.chip.flash[..size], *image.bytes());
         let end = size.next_multiple_of(256);
         assert!(bench.chip.flash[size..end].iter().all(|&byte| byte == 0xFF));
-        assert!(bench.chip.flash[0x3_E000..].iter().all(|&byte| byte == 0xA5));
+        assert!(
+            bench.chip.flash[0x3_E000..]
+                .iter()
+                .all(|&byte| byte == 0xA5)
+        );
         assert!(bench.chip.started);
         assert_eq!(bench.chip.resets, 2);
     }
