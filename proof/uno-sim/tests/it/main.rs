@@ -37,6 +37,7 @@ mod soak;
 mod stack;
 mod start_up;
 mod state;
+mod state_led;
 mod state_power;
 mod state_refused;
 mod state_scans;

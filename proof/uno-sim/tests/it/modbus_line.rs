@@ -307,7 +307,8 @@ fn settings_that_are_damaged_twice_are_the_defaults() {
         uno.write_eeprom(place(settings::FIRST), &kept).unwrap();
         for at in [byte, bytes + byte] {
             let damaged = kept[usize::from(at)] ^ 1;
-            uno.write_eeprom(place(settings::FIRST) + at, &[damaged]).unwrap();
+            uno.write_eeprom(place(settings::FIRST) + at, &[damaged])
+                .unwrap();
         }
         uno.power_up();
         to_serving(&mut uno);

@@ -280,7 +280,8 @@ fn no_client_wears_the_settings_out() {
 /// Both slots of the settings, as they are kept.
 fn slots(uno: &Uno) -> Vec<u8> {
     let bytes = settings::END - settings::FIRST;
-    uno.read_eeprom(place(settings::FIRST), bytes.into()).unwrap()
+    uno.read_eeprom(place(settings::FIRST), bytes.into())
+        .unwrap()
 }
 
 /// Whichever bit of the two slots is turned over, the other slot counts, and mends it at the next start.
@@ -326,7 +327,8 @@ fn settings_that_stand_in_one_slot_are_kept_in_both_from_the_next_start_on() {
         [&blank, second],
         [&other, second],
     ] {
-        uno.write_eeprom(place(settings::FIRST), &one.concat()).unwrap();
+        uno.write_eeprom(place(settings::FIRST), &one.concat())
+            .unwrap();
         uno.power_up();
         to_serving(&mut uno);
         assert_eq!(words(&mut uno, 3, LOCK, 1), [LOCKED_UPLOAD]);

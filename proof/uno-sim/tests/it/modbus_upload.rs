@@ -38,7 +38,8 @@ fn block(number: u8, text: &[u8]) -> Vec<u8> {
 /// Sends a block.
 fn send(uno: &mut Uno, number: u8, text: &[u8]) -> Result<(), u8> {
     let frame = block(number, text);
-    let reply = common::modbus::exchange(uno, &with_crc(&frame), 5000).expect("a reply");
+    let reply = common::modbus::exchange(uno, &with_crc(&frame), 5 * u64::from(BOARD.stored_bytes))
+        .expect("a reply");
     if reply == frame[..6] {
         Ok(())
     } else {
@@ -100,14 +101,16 @@ fn a_program_is_checked_stored_and_run() {
 
 #[test]
 fn the_largest_program_fits() {
-    let text = "0\n".to_owned() + &"827301\n".repeat(usize::from(BOARD.stored_bytes) - 1) + "877904\n";
+    let text =
+        "0\n".to_owned() + &"827301\n".repeat(usize::from(BOARD.stored_bytes) - 1) + "877904\n";
     let mut uno = stopped();
     upload(&mut uno, [&text; 2], 244).unwrap();
     assert_eq!(input(&mut uno, 28), BOARD.stored_bytes);
     uno.set_inputs(1);
     write(&mut uno, 400, RUN).unwrap();
     // It begins again out of the EEPROM.
-    uno.run_ms(60 * u64::from(BOARD.stored_bytes) / 900).unwrap();
+    uno.run_ms(60 * u64::from(BOARD.stored_bytes) / 900)
+        .unwrap();
     assert_eq!(uno.outputs(), 0b1000);
     assert!(uno.stack_free() > 0);
 }

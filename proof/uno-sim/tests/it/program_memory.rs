@@ -87,7 +87,11 @@ fn whatever_else_a_card_does_is_a_fault_and_changes_nothing() {
         uno.run_ms(20).unwrap();
         assert_eq!(uno.outputs(), 0, "{fault}");
         uno.set_inputs(0);
-        assert_eq!(uno.read_eeprom(0, uno.chip().eeprom_len()).unwrap(), before, "{fault}");
+        assert_eq!(
+            uno.read_eeprom(0, uno.chip().eeprom_len()).unwrap(),
+            before,
+            "{fault}"
+        );
     }
     power_up(&mut uno, Slot::Empty);
     assert_eq!(running(&mut uno), IS_OLD);

@@ -21,7 +21,8 @@ fn free(uno: &Uno) -> u32 {
 
 /// The longest program.
 fn largest() -> String {
-    "0\n".to_owned() + &"787600\n827301\n827302\n877901\n".repeat(usize::from(BOARD.stored_bytes) / 4)
+    "0\n".to_owned()
+        + &"787600\n827301\n827302\n877901\n".repeat(usize::from(BOARD.stored_bytes) / 4)
 }
 
 #[test]

@@ -6,8 +6,10 @@ mod analogue;
 mod arithmetic;
 #[path = "../it/cards.rs"]
 mod cards;
+mod client;
 #[path = "../it/common/mod.rs"]
 mod common;
+mod cycles;
 #[path = "../it/diagnosis.rs"]
 mod diagnosis;
 #[path = "../it/fault_matrix.rs"]
@@ -32,6 +34,7 @@ mod modbus_lock;
 mod modbus_upload;
 #[path = "../it/monitor.rs"]
 mod monitor;
+mod points;
 #[path = "../it/program_memory.rs"]
 mod program_memory;
 #[path = "../it/retentive.rs"]
@@ -50,10 +53,9 @@ mod state_refused;
 mod state_scans;
 #[path = "../it/stop.rs"]
 mod stop;
+mod suite;
 #[path = "../it/watchdog.rs"]
 mod watchdog;
-mod points;
-mod suite;
 
 /// The board whose firmware is under test.
 const BOARD: unoclp_core::Board = unoclp_core::Board::MEGA;

@@ -18,25 +18,21 @@ pub enum Of {
 /// All cases of the scenario files in these folders but for these of exercises, each with its file; in a quick run one of
 /// each few.
 pub fn every_scenario(folders: &[&str], of: Of) -> impl Iterator<Item = (PathBuf, Scenario)> {
-    cases(
-        scenarios(folders)
-            .into_iter()
-            .flat_map(move |path| {
-                let all = Scenario::load_all(&path, unoclp_core::Board::UNO)
-                    .unwrap_or_else(|error| panic!("{error}"));
-                let is_exercise = path
-                    .components()
-                    .any(|part| part.as_os_str() == "exercises");
-                let most = if is_exercise && of == Of::First {
-                    1
-                } else {
-                    all.len()
-                };
-                all.into_iter()
-                    .take(most)
-                    .map(move |scenario| (path.clone(), scenario))
-            }),
-    )
+    cases(scenarios(folders).into_iter().flat_map(move |path| {
+        let all = Scenario::load_all(&path, unoclp_core::Board::UNO)
+            .unwrap_or_else(|error| panic!("{error}"));
+        let is_exercise = path
+            .components()
+            .any(|part| part.as_os_str() == "exercises");
+        let most = if is_exercise && of == Of::First {
+            1
+        } else {
+            all.len()
+        };
+        all.into_iter()
+            .take(most)
+            .map(move |scenario| (path.clone(), scenario))
+    }))
 }
 
 /// The first fault of a program on a board.

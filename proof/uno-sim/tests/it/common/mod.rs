@@ -8,8 +8,8 @@ pub mod state;
 
 use std::path::{Path, PathBuf};
 use unoclp_card::image::{Fat, Image};
-use unoclp_uno_sim::sd::{Kind, SdCard};
 use unoclp_core::Board;
+use unoclp_uno_sim::sd::{Kind, SdCard};
 use unoclp_uno_sim::{CYCLES_PER_MS, Program, Slot, Uno, firmware_file, mega_file};
 
 /// The firmware under test.
@@ -85,7 +85,8 @@ pub fn uno(slot: Slot) -> Uno {
 /// port said.
 pub fn ms_until(uno: &mut Uno, texts: &[&str]) -> (u64, String) {
     let begun = uno.cycles();
-    for _ in 0..8000 {
+    // Each byte of a program takes a while to be kept.
+    for _ in 0..9 * u32::from(crate::BOARD.stored_bytes) {
         uno.run_ms(1).unwrap();
         if texts.iter().any(|text| uno.serial().contains(text)) {
             let said = String::from_utf8(uno.take_serial()).unwrap();
