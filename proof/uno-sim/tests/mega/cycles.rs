@@ -1,6 +1,5 @@
 //! How fast a Mega is, counted from one `scan_begin` to the next.
 
-use crate::BOARD;
 use crate::common::{card, to_run, uno};
 use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
 
@@ -60,28 +59,4 @@ fn a_small_scan() {
     let [least, mean] = scans("0\n827301\n827302\n877901\n");
     println!("two contacts and a coil: {least} cycles at least, {mean} in the mean");
     assert!(mean <= 250, "{mean}");
-}
-
-#[test]
-fn five_hundred_rungs() {
-    let [least, mean] = scans(&rungs(500, [1, 2, 3, 4], 1));
-    println!("500 rungs: {least} cycles at least, {mean} in the mean");
-    assert!(mean <= CYCLES_PER_MS, "{mean}");
-}
-
-/// From the first instruction to RUN, without a card, with a program of full size.
-#[test]
-fn a_start_with_a_full_program() {
-    let rungs = usize::from(BOARD.stored_bytes) / 4;
-    let text = "787600\n827301\n827317\n877909\n".repeat(rungs);
-    let mut mega = running(&format!("0\n{text}"));
-    mega.swap_slot(Slot::Empty);
-    mega.take_serial();
-    mega.reset();
-    let begun = mega.cycles();
-    let begin = mega.symbol("scan_begin").unwrap().address;
-    mega.run_until(begin, 2_000 * CYCLES_PER_MS).unwrap();
-    let ms = (mega.cycles() - begun) / CYCLES_PER_MS;
-    println!("{ms} ms from reset to RUN");
-    assert!(ms <= 1_000, "{ms}");
 }
