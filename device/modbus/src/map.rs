@@ -73,6 +73,21 @@ impl Span {
     pub const fn end(self) -> u16 {
         self.first + self.addresses()
     }
+
+    /// With as many points as this board has; with none where it has not the span.
+    pub fn on(self, board: &Board) -> Span {
+        Span {
+            values: match self {
+                coil::OUTPUTS => board.outputs.min(WORD_POINTS).into(),
+                discrete::INPUTS => board.inputs.into(),
+                input::ANALOGUE => board.analogue.min(WORD_POINTS).into(),
+                input::PROGRAM => program_words(board),
+                holding::FORCED_MORE | holding::MORE_TO => (board.inputs > WORD_POINTS).into(),
+                span => span.values,
+            },
+            ..self
+        }
+    }
 }
 
 /// What a board may refuse, whoever asks: bits of [`setting::LOCK`].
@@ -261,20 +276,9 @@ const fn program_words(board: &Board) -> u16 {
 /// Every address that this board has, table by table and in order: those of [`ALL`] with as many points as it has.
 pub fn of(board: &Board) -> impl Iterator<Item = Span> {
     let board = *board;
-    let has = move |span: Span| Span {
-        values: match span {
-            coil::OUTPUTS => board.outputs.min(WORD_POINTS).into(),
-            discrete::INPUTS => board.inputs.into(),
-            input::ANALOGUE => board.analogue.min(WORD_POINTS).into(),
-            input::PROGRAM => program_words(&board),
-            holding::FORCED_MORE | holding::MORE_TO => (board.inputs > WORD_POINTS).into(),
-            span => span.values,
-        },
-        ..span
-    };
     EVERY
         .iter()
-        .map(move |&span| has(span))
+        .map(move |span| span.on(&board))
         .filter(|span| span.values > 0)
 }
 

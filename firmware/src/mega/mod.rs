@@ -126,6 +126,9 @@ impl Board {
     /// output 01.
     #[inline(never)]
     pub fn write_pwm(&self, among: u32, duty: &[u8; PWM]) {
+        if among == 0 {
+            return;
+        }
         let (third, fourth, fifth) = &self.pwm;
         pwm::write(third, fourth, fifth, among, Some(duty));
     }
@@ -133,6 +136,9 @@ impl Board {
     /// Gives the pins of these outputs back.
     #[inline(never)]
     pub fn end_pwm(&self, among: u32) {
+        if among == 0 {
+            return;
+        }
         let (third, fourth, fifth) = &self.pwm;
         pwm::write(third, fourth, fifth, among, None);
     }

@@ -285,7 +285,7 @@ impl Device for Map<'_, '_, '_> {
         false
     }
 
-    /// Bit by bit: outputs and markers join.
+    /// Outputs and markers join: first the points, then the markers.
     #[cfg(mega)]
     #[inline(never)]
     fn bits(&mut self, addresses: &Addresses, count: u8, bits: u8) -> u8 {
@@ -295,33 +295,39 @@ impl Device for Map<'_, '_, '_> {
             first,
             ..
         } = *addresses;
-        let operation = &mut *self.operation;
-        let Image(inputs) = operation.images.inputs();
-        let Image(shown) = operation.outputs();
-        let Image(mut outputs) = operation.images.outputs();
+        let write = access == Access::Write;
+        // All that there is stands at addresses of one byte.
+        let first = first as u8;
+        let points = match table {
+            Table::Coils => count.min(MARKER.saturating_sub(first)),
+            _ => count,
+        };
         let mut read = 0;
-        for index in 0..count {
-            // All that there is stands at addresses of one byte.
-            let at = first as u8 + index;
-            let on = bits >> index & 1 != 0;
-            let was = if table != Table::Coils {
-                inputs >> at & 1 != 0
-            } else if at < MARKER {
-                if access == Access::Write {
-                    outputs = outputs & !(1 << at) | u32::from(on) << at;
-                }
-                shown >> at & 1 != 0
-            } else {
-                let cell = &mut self.memory.data.markers[usize::from(at - MARKER) % MARKERS];
-                if access == Access::Write {
-                    *cell = if on { ON } else { 0 };
-                }
-                *cell & ON != 0
+        if points > 0 {
+            let operation = &mut *self.operation;
+            let image = match table {
+                Table::Coils => operation.outputs(),
+                _ => operation.images.inputs(),
             };
-            read |= u8::from(was) << index;
+            read = (image.0 >> first) as u8;
+            if write {
+                let mask = u32::from(u8::MAX >> (8 - points)) << first;
+                let bits = u32::from(bits) << first;
+                let Image(outputs) = operation.images.outputs();
+                let outputs = outputs & !mask | bits & mask;
+                operation.images.set_outputs(Image(outputs));
+            }
         }
-        if access == Access::Write {
-            operation.images.set_outputs(Image(outputs));
+        let mut mask = 1u8.wrapping_shl(points.into());
+        for index in points..count {
+            let at = first + index - MARKER;
+            let cell = &mut self.memory.data.markers[usize::from(at) % MARKERS];
+            if write {
+                *cell = if bits & mask != 0 { ON } else { 0 };
+            } else if *cell & ON != 0 {
+                read |= mask;
+            }
+            mask <<= 1;
         }
         read
     }

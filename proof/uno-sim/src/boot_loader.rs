@@ -1,10 +1,10 @@
 //! A board as it comes out of its box: its boot loader, and a sketch that does nothing.
 //!
-//! Both boot loaders come with Debian's Arduino core. That core's own Optiboot for this chip is larger than the 512 bytes
+//! The boot loaders come with Debian's Arduino core. That core's own Optiboot for this chip is larger than the 512 bytes
 //! that the fuses of an UNO leave it: its compiler unrolls more than Arduino's did. So its source is compiled here with
 //! what makes it fit.
 
-use crate::{Error, Program};
+use crate::{Chip, Error, Program};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
@@ -28,13 +28,15 @@ pub enum BootLoader {
     Optiboot,
     /// The one that Nanos had before.
     Old,
+    /// That of Megas.
+    Mega,
 }
 
 impl BootLoader {
     /// Bits per second that it speaks.
     pub const fn rate(self) -> u32 {
         match self {
-            BootLoader::Optiboot => 115_200,
+            BootLoader::Optiboot | BootLoader::Mega => 115_200,
             BootLoader::Old => 57_600,
         }
     }
@@ -45,10 +47,14 @@ impl BootLoader {
     /// Where it cannot be built or read.
     pub fn program(self) -> Result<Program, Error> {
         match self {
-            BootLoader::Optiboot => Program::boot_loader(&optiboot()?, &SKETCH),
+            BootLoader::Optiboot => Program::boot_loader(Chip::Atmega328p, &optiboot()?, &SKETCH),
             BootLoader::Old => {
                 let hex = Path::new(CORE).join("atmega/ATmegaBOOT_168_atmega328.hex");
-                Program::boot_loader(&hex, &SKETCH)
+                Program::boot_loader(Chip::Atmega328p, &hex, &SKETCH)
+            }
+            BootLoader::Mega => {
+                let hex = Path::new(CORE).join("stk500v2/stk500boot_v2_mega2560.hex");
+                Program::boot_loader(Chip::Atmega2560, &hex, &SKETCH)
             }
         }
     }

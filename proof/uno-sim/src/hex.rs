@@ -1,7 +1,7 @@
 //! A program from a file in Intel HEX: a boot loader, or the tested firmware with its symbols beside it.
 
 use crate::Error;
-use crate::chip::{FLASH_LEN, RAM_START};
+use crate::chip::{Chip, FLASH_LEN, RAM_START};
 use crate::program::{Program, Space, Symbol, locate};
 use ihex::Record;
 use std::collections::BTreeMap;
@@ -40,14 +40,19 @@ impl Program {
     ///
     /// # Errors
     /// Where the file cannot be read, or is no boot loader for this chip.
-    pub fn boot_loader(path: &Path, before: &[u16]) -> Result<Program, Error> {
-        let mut program = Program::empty(FLASH_LEN);
-        program.flash = vec![0xFF; FLASH_LEN];
+    pub fn boot_loader(chip: Chip, path: &Path, before: &[u16]) -> Result<Program, Error> {
+        let length = chip.flash_len();
+        let mut program = Program {
+            chip,
+            static_ram_end: chip.ram_start(),
+            ..Program::empty(length)
+        };
+        program.flash = vec![0xFF; length];
         for (place, word) in program.flash.chunks_exact_mut(2).zip(before) {
             place.copy_from_slice(&word.to_le_bytes());
         }
         program.start = load(&mut program, path)?;
-        match program.start < FLASH_LEN as u32 {
+        match program.start < length as u32 {
             true => Ok(program),
             false => Err(Error::unfit(path, "it is empty")),
         }
@@ -61,13 +66,18 @@ impl Program {
 pub(crate) fn load(program: &mut Program, path: &Path) -> Result<u32, Error> {
     let text = fs::read_to_string(path).map_err(Error::read(path))?;
     let mut first = program.flash_len as u32;
+    let mut base = 0;
     for record in ihex::Reader::new(&text) {
-        if let Record::Data { offset, value } =
-            record.map_err(|error| Error::unfit(path, error.to_string()))?
-        {
-            let loaded = program.load(offset.into(), &value);
-            loaded.map_err(|reason| Error::unfit(path, reason))?;
-            first = first.min(offset.into());
+        match record.map_err(|error| Error::unfit(path, error.to_string()))? {
+            Record::Data { offset, value } => {
+                let address = base + u32::from(offset);
+                let loaded = program.load(address, &value);
+                loaded.map_err(|reason| Error::unfit(path, reason))?;
+                first = first.min(address);
+            }
+            Record::ExtendedSegmentAddress(segment) => base = u32::from(segment) << 4,
+            Record::ExtendedLinearAddress(high) => base = u32::from(high) << 16,
+            _ => {}
         }
     }
     Ok(first)

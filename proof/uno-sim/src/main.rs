@@ -104,6 +104,8 @@ enum BootLoaderName {
     Optiboot,
     /// The one that Nanos had before
     Old,
+    /// That of Megas
+    Mega,
 }
 
 impl BootLoaderName {
@@ -111,6 +113,7 @@ impl BootLoaderName {
         match self {
             BootLoaderName::Optiboot => BootLoader::Optiboot,
             BootLoaderName::Old => BootLoader::Old,
+            BootLoaderName::Mega => BootLoader::Mega,
         }
         .program()
     }

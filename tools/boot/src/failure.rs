@@ -26,7 +26,10 @@ pub enum Unfit {
         address: usize,
     },
     /// It is for another chip.
-    OtherChip,
+    OtherChip {
+        /// The board whose chip it was to be for.
+        model: Model,
+    },
     /// It does not fit.
     TooLarge {
         /// Its size.
@@ -44,7 +47,7 @@ impl Unfit {
             Unfit::Damaged { .. } => 12,
             Unfit::CutShort => 13,
             Unfit::Twice { .. } => 14,
-            Unfit::OtherChip => 15,
+            Unfit::OtherChip { .. } => 15,
             Unfit::TooLarge { .. } => 16,
         }
     }
@@ -56,7 +59,10 @@ impl Unfit {
             Unfit::Damaged { line } => words::damaged(lang, line),
             Unfit::CutShort => words::cut_short(lang),
             Unfit::Twice { address } => words::twice(lang, hex(*address)),
-            Unfit::OtherChip => words::other_chip(lang),
+            Unfit::OtherChip { model } => {
+                let chip = model.chip();
+                words::other_chip(lang, chip.name, chip.boards, model.firmware().name())
+            }
             Unfit::TooLarge { bytes, model } => {
                 words::too_large(lang, bytes, model.room(), model.name())
             }
@@ -72,8 +78,13 @@ pub enum Trouble {
     Silent,
     /// Something comes, but no answer of a boot loader.
     Foreign,
-    /// It is another chip, which says that it is this.
-    OtherChip([u8; 3]),
+    /// It is another chip.
+    OtherChip {
+        /// What it says that it is.
+        signature: [u8; 3],
+        /// The board that it was to be.
+        model: Model,
+    },
     /// An answer has not come, or not all of it.
     BrokenOff,
     /// What came was no answer.
@@ -81,7 +92,7 @@ pub enum Trouble {
     /// The flash holds something else than what was written.
     Differs {
         /// The first address that does.
-        address: u16,
+        address: u32,
         /// What was written.
         written: u8,
         /// What is read.
@@ -106,7 +117,7 @@ impl Failure {
         match self.trouble {
             Trouble::Silent => 21,
             Trouble::Foreign => 22,
-            Trouble::OtherChip(_) => 23,
+            Trouble::OtherChip { .. } => 23,
             Trouble::BrokenOff => 24,
             Trouble::Garbled => 25,
             Trouble::Differs { .. } => 26,
@@ -119,8 +130,10 @@ impl Failure {
         let text = match &self.trouble {
             Trouble::Silent => words::silent(lang),
             Trouble::Foreign => words::foreign(lang),
-            Trouble::OtherChip([a, b, c]) => {
-                words::says_other_chip(lang, format!("{a:02X} {b:02X} {c:02X}"))
+            Trouble::OtherChip { signature, model } => {
+                let [is, wanted] = [*signature, model.chip().signature]
+                    .map(|[a, b, c]| format!("{a:02X} {b:02X} {c:02X}"));
+                words::says_other_chip(lang, is, model.chip().name, wanted)
             }
             Trouble::BrokenOff => words::broken_off(lang),
             Trouble::Garbled => words::garbled(lang),
@@ -130,7 +143,7 @@ impl Failure {
                 read,
             } => {
                 let [written, read] = [written, read].map(|byte| format!("{byte:02X}"));
-                words::differs(lang, hex((*address).into()), written, read)
+                words::differs(lang, hex(*address as usize), written, read)
             }
             Trouble::Lost(why) => words::lost(lang, why),
         };

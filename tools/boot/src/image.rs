@@ -1,19 +1,17 @@
 //! A firmware file in Intel HEX, checked for a board.
 
 use crate::failure::Unfit;
-use crate::model::{Model, PAGE};
+use crate::model::{Chip, Model};
 use ihex::{ReaderError, Record};
 
 /// What stands in flash that nobody has written.
 const ERASED: u8 = 0xFF;
-/// The ATmega328P has so many interrupt vectors, two words each (datasheet, section 12.1).
-const VECTORS: usize = 26;
 /// Bytes of a vector.
 const VECTOR: usize = 4;
-/// No record of a file that may be right reaches beyond this.
-const FARTHEST: usize = 0x1_0000;
+/// No record of a file that may be right reaches beyond this: the largest chip that any board here has.
+const FARTHEST: usize = 0x4_0000;
 
-/// What goes into the flash of a board, from address 0 on. It fits, and it is for an ATmega328P.
+/// What goes into the flash of a board, from address 0 on. It fits, and it is for the chip of that board.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
     bytes: Vec<u8>,
@@ -26,9 +24,9 @@ impl Image {
     /// # Errors
     /// [`Unfit`]: it is no such file, is damaged, is for another chip, or does not fit the board.
     pub fn read(file: &[u8], model: Model) -> Result<Image, Unfit> {
-        let bytes = fill(file)?;
-        if !is_for_this_chip(&bytes) {
-            return Err(Unfit::OtherChip);
+        let bytes = fill(file, model)?;
+        if bytes.len() > model.chip().flash || !is_for(model.chip(), &bytes) {
+            return Err(Unfit::OtherChip { model });
         }
         if bytes.len() > model.room() {
             return Err(Unfit::TooLarge {
@@ -50,18 +48,20 @@ impl Image {
     }
 
     /// The pages with their addresses in bytes, the last filled up.
-    pub(crate) fn pages(&self) -> impl Iterator<Item = (u16, Vec<u8>)> {
-        self.bytes.chunks(PAGE).enumerate().map(|(index, bytes)| {
-            let mut page = bytes.to_vec();
-            page.resize(PAGE, ERASED);
-            // An image has fewer than 32 KB.
-            ((index * PAGE) as u16, page)
-        })
+    pub(crate) fn pages(&self) -> impl Iterator<Item = (u32, Vec<u8>)> {
+        let size = self.model.chip().page;
+        (0..)
+            .zip(self.bytes.chunks(size))
+            .map(move |(index, bytes)| {
+                let mut page = bytes.to_vec();
+                page.resize(size, ERASED);
+                (index * size as u32, page)
+            })
     }
 }
 
 /// Puts the records where they belong.
-fn fill(file: &[u8]) -> Result<Vec<u8>, Unfit> {
+fn fill(file: &[u8], model: Model) -> Result<Vec<u8>, Unfit> {
     let mut bytes: Vec<Option<u8>> = Vec::new();
     let mut base = 0;
     let mut has_ended = false;
@@ -88,7 +88,7 @@ fn fill(file: &[u8]) -> Result<Vec<u8>, Unfit> {
                 let end = first + value.len();
                 // Other chips have memory there.
                 if end > FARTHEST {
-                    return Err(Unfit::OtherChip);
+                    return Err(Unfit::OtherChip { model });
                 }
                 if bytes.len() < end {
                     bytes.resize(end, None);
@@ -113,20 +113,21 @@ fn fill(file: &[u8]) -> Result<Vec<u8>, Unfit> {
     Ok(bytes.map(|byte| byte.unwrap_or(ERASED)).collect())
 }
 
-/// Whether it begins with the interrupt vectors of an ATmega328P: so many jumps and no more. An ATmega168 has as many,
-/// so what is for that is not told apart.
-fn is_for_this_chip(bytes: &[u8]) -> bool {
+/// Whether it begins with the interrupt vectors of this chip: so many jumps and no more. What is for another one that has
+/// as many, as an ATmega168 has of those of an ATmega328P, is not told apart.
+fn is_for(chip: &Chip, bytes: &[u8]) -> bool {
+    let vectors = chip.vectors;
     let vector = |index: usize| bytes.get(index * VECTOR..(index + 1) * VECTOR);
     let jumps = |vector: &[u8]| {
         let word = u16::from_le_bytes([vector[0], vector[1]]);
         let (is_jmp, is_rjmp) = (word & 0xFE0E == 0x940C, word & 0xF000 == 0xC000);
         is_jmp || is_rjmp
     };
-    let mut table = (0..VECTORS).map(vector);
+    let mut table = (0..vectors).map(vector);
     if !table.all(|vector| vector.is_some_and(jumps)) {
         return false;
     }
     // A longer table goes on with what unused vectors have in common.
-    let goes_on = |index| (1..VECTORS).any(|own| vector(own) == vector(index));
-    !(goes_on(VECTORS) && goes_on(VECTORS + 1))
+    let goes_on = |index| (1..vectors).any(|own| vector(own) == vector(index));
+    !(goes_on(vectors) && goes_on(vectors + 1))
 }

@@ -1,5 +1,6 @@
 //! A firmware file, and the boot loader at the other end of a line that writes it: STK500v1 as Optiboot and the boot
-//! loader of older Nanos speak it, as a state machine without I/O, threads or clock.
+//! loader of older Nanos speak it, and STK500v2 as that of the Mega 2560 does, as a state machine without I/O, threads or
+//! clock.
 //!
 //! - [`Model`]: the boards, each with its rate and its room
 //! - [`Image`]: a file in Intel HEX, checked for a board
@@ -13,6 +14,7 @@
 
 mod failure;
 mod image;
+mod message;
 mod model;
 mod script;
 mod stage;

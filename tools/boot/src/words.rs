@@ -15,25 +15,25 @@ unoclp_words::messages! {
     twice(address)
         "the file sets address {address} twice; build or download it again"
         "o arquivo preenche duas vezes o endereço {address}; gere-o ou baixe-o de novo";
-    other_chip()
-        "the file is not for the ATmega328P of an UNO or a Nano; build it for that chip"
-        "o arquivo não é para o ATmega328P de um UNO ou Nano; gere-o para esse chip";
+    other_chip(chip, boards, board)
+        "the file is not for the {chip} ({boards}); use the firmware for the board {board}"
+        "o arquivo não é para o {chip} ({boards}); use o firmware para a placa {board}";
     too_large(bytes, room, model)
         "the file takes {bytes} bytes of flash, but the board {model} has room for {room}; use the firmware for that board"
         "o arquivo ocupa {bytes} bytes de flash, mas na placa {model} cabem {room}; use o firmware para essa placa";
     silent()
-        "no boot loader answers. Is this the board's port, and is the kind of board right (uno, nano, nano-old)? If the board has no \
+        "no boot loader answers. Is this the board's port, and is the kind of board right (uno, nano, nano-old, mega)? If the board has no \
          automatic reset, press its reset button as the writing begins"
-        "nenhum bootloader responde. A porta é a da placa, e o tipo de placa está certo (uno, nano, nano-old)? Se a placa não tem \
+        "nenhum bootloader responde. A porta é a da placa, e o tipo de placa está certo (uno, nano, nano-old, mega)? Se a placa não tem \
          reset automático, aperte o botão de reset assim que a gravação começar";
     foreign()
-        "the device that answers is not a boot loader. Is this the board's port, and is the kind of board right (uno, nano, \
-         nano-old)? Disconnect everything else from D0 and D1"
-        "o dispositivo que responde não é um bootloader. A porta é a da placa, e o tipo de placa está certo (uno, nano, nano-old)? Desligue tudo o que \
+        "the device that answers is not a boot loader. Is this the board's port, and is the kind of board right (uno, nano, nano-old, \
+         mega)? Disconnect everything else from D0 and D1"
+        "o dispositivo que responde não é um bootloader. A porta é a da placa, e o tipo de placa está certo (uno, nano, nano-old, mega)? Desligue tudo o que \
          mais usa D0 e D1";
-    says_other_chip(signature)
-        "the chip's signature is {signature}, but an ATmega328P has 1E 95 0F; this firmware does not run on that board"
-        "a assinatura do chip é {signature}, mas a de um ATmega328P é 1E 95 0F; este firmware não roda nessa placa";
+    says_other_chip(signature, chip, wanted)
+        "the chip's signature is {signature}, but an {chip} has {wanted}; this firmware does not run on that board"
+        "a assinatura do chip é {signature}, mas a de um {chip} é {wanted}; este firmware não roda nessa placa";
     broken_off()
         "the boot loader stopped answering; check the cable and try again"
         "o bootloader parou de responder; verifique o cabo e tente de novo";

@@ -36,13 +36,15 @@
 
 use crate::failure::{self, Failure, Trouble};
 use crate::image::Image;
-use crate::script::{Exchange, IN_SYNC, OK, SYNC, SYNCED, script};
+use crate::message::Came;
+use crate::model::{Model, Protocol};
+use crate::script::{Exchange, Subject, script, stranger};
 use crate::stage::Stage;
 use std::time::Duration;
 use unoclp_words::Lang;
 
-/// How often the board is reset until its boot loader answers.
-const RESETS: u32 = 4;
+/// How often the board is reset until its boot loader answers; then once more, to ask for one of the other kind.
+const RESETS: u32 = 3;
 /// How often the boot loader is called after each reset. It waits for a second.
 const CALLS: u32 = 2;
 /// From a reset to the first call.
@@ -57,9 +59,13 @@ const ANSWER: Duration = Duration::from_millis(800);
 /// An image on its way to a board.
 #[derive(Clone, Debug)]
 pub struct Writer {
-    /// Of the boot loader, bits per second.
-    rate: u32,
+    model: Model,
+    /// How the boot loader is spoken to.
+    protocol: Protocol,
     script: Vec<Exchange>,
+    /// Another kind of boot loader is called, and asked which chip it is on.
+    is_stranger: bool,
+    signature: [u8; 3],
     /// How many exchanges are over.
     over: usize,
     state: State,
@@ -125,9 +131,13 @@ pub struct Progress {
 impl Writer {
     /// Writes this image. It begins with the first step.
     pub fn new(image: &Image) -> Writer {
+        let model = image.model();
         Writer {
-            rate: image.model().rate(),
+            model,
+            protocol: model.chip().protocol,
             script: script(image),
+            is_stranger: false,
+            signature: [0; 3],
             over: 0,
             state: State::Reset,
             resets: 0,
@@ -139,7 +149,7 @@ impl Writer {
 
     /// At how many bits per second the boot loader is spoken to.
     pub fn rate(&self) -> u32 {
-        self.rate
+        self.model.rate()
     }
 
     /// How far it is.
@@ -197,10 +207,15 @@ impl Writer {
             match self.state {
                 State::Done => return Ok(Duration::MAX),
                 State::Reset if self.resets == RESETS => {
-                    return Err(self.fail(match self.heard {
-                        true => Trouble::Foreign,
-                        false => Trouble::Silent,
-                    }));
+                    if self.stage() != Stage::Meeting || self.is_stranger {
+                        return Err(self.fail(match self.heard {
+                            true => Trouble::Foreign,
+                            false => Trouble::Silent,
+                        }));
+                    }
+                    (self.protocol, self.script) = stranger(self.model.chip());
+                    self.is_stranger = true;
+                    self.resets = RESETS - 1;
                 }
                 State::Reset => {
                     self.resets += 1;
@@ -214,7 +229,7 @@ impl Writer {
                 State::Asleep(until) if now < until => return Ok(until),
                 State::Asleep(_) => self.call(1, now, send),
                 State::Called(calls, until) => {
-                    if self.came.ends_with(&SYNCED) {
+                    if self.came.ends_with(&self.protocol.called()) {
                         self.state = State::Answered(now + QUIET);
                         continue;
                     }
@@ -231,9 +246,21 @@ impl Writer {
                 State::Answered(_) => self.state = State::Ready,
                 State::Ready => {
                     let Some(exchange) = self.script.get(self.over) else {
-                        return Err(Ok(()));
+                        return Err(match self.is_stranger {
+                            true => self.fail(Trouble::OtherChip {
+                                signature: self.signature,
+                                model: self.model,
+                            }),
+                            false => Ok(()),
+                        });
                     };
                     self.came.clear();
+                    if exchange.request.is_empty() {
+                        self.over += 1;
+                        self.resets = 0;
+                        self.state = State::Reset;
+                        continue;
+                    }
                     send.extend(&exchange.request);
                     self.state = State::Asked(now + ANSWER);
                     return Ok(now + ANSWER);
@@ -251,35 +278,42 @@ impl Writer {
 
     fn call(&mut self, calls: u32, now: Duration, send: &mut Vec<u8>) {
         self.came.clear();
-        send.extend(SYNC);
+        send.extend(self.protocol.call());
         self.state = State::Called(calls, now + CALL);
     }
 
     /// Whether the answer to the exchange has come, and is right.
-    fn is_answered(&self, is_late: bool) -> Result<bool, Result<(), Failure>> {
+    fn is_answered(&mut self, is_late: bool) -> Result<bool, Result<(), Failure>> {
         let Some(exchange) = self.script.get(self.over) else {
             return Ok(true);
         };
         // The last asks to be started, which the boot loader does of its own accord where it is not asked.
-        let is_last = self.over + 1 == self.script.len();
-        let whole = exchange.answer.len() + 2;
-        let is_wrong = match self.came.as_slice() {
-            [first, ..] if *first != IN_SYNC => true,
-            came if came.len() == whole => came.last() != Some(&OK),
-            came => came.len() > whole,
+        let is_last = self.over + 1 == self.script.len() && !self.is_stranger;
+        let says = match exchange.answer.read(&self.came) {
+            Came::Less if !is_late => return Ok(false),
+            _ if is_last => return Ok(true),
+            Came::Less => return Err(self.fail(Trouble::BrokenOff)),
+            Came::Garbled => return Err(self.fail(Trouble::Garbled)),
+            Came::All(says) => says,
         };
-        let trouble = match self.came.len() {
-            _ if is_wrong => Trouble::Garbled,
-            came if came < whole && is_late => Trouble::BrokenOff,
-            came if came < whole => return Ok(false),
-            _ => match differs(exchange, &self.came[1..whole - 1]) {
-                Some(trouble) => trouble,
-                None => return Ok(true),
-            },
+        let trouble = match &exchange.subject {
+            Subject::Order => None,
+            Subject::Signature(from) => {
+                for (place, &byte) in self.signature.iter_mut().skip(*from).zip(says) {
+                    *place = byte;
+                }
+                let is_known = from + says.len() == self.signature.len();
+                let is_other = self.signature != self.model.chip().signature;
+                (is_known && is_other).then_some(Trouble::OtherChip {
+                    signature: self.signature,
+                    model: self.model,
+                })
+            }
+            Subject::Flash(address, page) => differs(*address, page, says),
         };
-        match is_last {
-            true => Ok(true),
-            false => Err(self.fail(trouble)),
+        match trouble {
+            Some(trouble) => Err(self.fail(trouble)),
+            None => Ok(true),
         }
     }
 
@@ -297,16 +331,13 @@ impl Writer {
     }
 }
 
-/// What is wrong with an answer, if anything is.
-fn differs(exchange: &Exchange, came: &[u8]) -> Option<Trouble> {
-    let mut pairs = (exchange.address..).zip(exchange.answer.iter().zip(came));
+/// What is wrong with flash that was read from this address on, if anything is.
+fn differs(address: u32, written: &[u8], read: &[u8]) -> Option<Trouble> {
+    let mut pairs = (address..).zip(written.iter().zip(read));
     let (address, (&written, &read)) = pairs.find(|(_, (written, read))| written != read)?;
-    Some(match (exchange.stage, came) {
-        (Stage::Meeting, &[a, b, c]) => Trouble::OtherChip([a, b, c]),
-        _ => Trouble::Differs {
-            address,
-            written,
-            read,
-        },
+    Some(Trouble::Differs {
+        address,
+        written,
+        read,
     })
 }

@@ -1,10 +1,12 @@
 //! Requests to a board, each sent until it is answered.
 
+use crate::AT_A_LINE;
 use crate::identity::Identity;
 use crate::link::{Format, Gone, Link};
 use std::time::Duration;
+use unoclp_core::Board;
 use unoclp_modbus::client::{NoReply, Reply, Request};
-use unoclp_modbus::map::{Parity, Span, setting};
+use unoclp_modbus::map::{Parity, Span, holding, setting};
 use unoclp_modbus::{Exception, Table};
 
 /// How a board is spoken to.
@@ -123,6 +125,21 @@ impl Client {
         self.patience
     }
 
+    /// The board at the other end: an UNO until another has [said](Client::identify) what it is.
+    pub fn board(&self) -> Board {
+        self.link.board()
+    }
+
+    /// A span with as many points as the board has.
+    pub(crate) fn span(&self, span: Span) -> Span {
+        span.on(&self.board())
+    }
+
+    /// Whether the board has inputs that a second word forces.
+    pub(crate) fn has_more_inputs(&self) -> bool {
+        self.span(holding::FORCED_MORE).values > 0
+    }
+
     /// Reads the bits of a span.
     ///
     /// # Errors
@@ -213,7 +230,9 @@ impl Client {
     pub async fn identify(&mut self) -> Result<Identity, Failure> {
         let request = Request::identify(self.address);
         let identity = self.ask(&request, |reply| Identity::of(reply.texts()));
-        identity.await?.ok_or(Failure::Garbled)
+        let identity = identity.await?.ok_or(Failure::Garbled)?;
+        self.link.meet(identity.board().unwrap_or(AT_A_LINE));
+        Ok(identity)
     }
 
     /// What the board says of its own accord, until it has been quiet for `quiet` or has said it all.

@@ -36,6 +36,7 @@ use std::pin::Pin;
 use std::rc::Rc;
 use std::task::{Context, Poll, Waker};
 use std::time::Duration;
+use unoclp_core::Board;
 
 /// Something that is being said to a board, until it comes to a `T`.
 pub struct Conversation<'a, T> {
@@ -107,6 +108,16 @@ impl<'a, T> Conversation<'a, T> {
             send: self.mailbox.send.take(),
             next,
         }
+    }
+
+    /// The board that has been met in it.
+    pub fn board(&self) -> Board {
+        self.mailbox.board.get()
+    }
+
+    /// The board at the other end was met in another conversation.
+    pub fn meet(&self, board: Board) {
+        self.mailbox.board.set(board);
     }
 
     /// The port is gone, and why: the next step is told so, and all that is said from then on fails.

@@ -48,5 +48,5 @@ pub use order::Order;
 pub use unoclp_modbus::map::Parity;
 pub use unoclp_modbus::{lock, map};
 
-/// What a board at the other end of a line has: none that answers there has other points.
+/// The board that one at the other end of a line is taken for until it has said which it is.
 pub const AT_A_LINE: unoclp_core::Board = unoclp_core::Board::UNO;

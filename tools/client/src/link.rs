@@ -1,10 +1,12 @@
 //! What lies between a step of a conversation and what is said in it.
 
+use crate::AT_A_LINE;
 use std::cell::{Cell, RefCell};
 use std::future::poll_fn;
 use std::rc::Rc;
 use std::task::Poll;
 use std::time::Duration;
+use unoclp_core::Board;
 use unoclp_modbus::map::Parity;
 
 /// How bytes are sent.
@@ -22,6 +24,8 @@ pub(crate) struct Mailbox {
     pub format: Cell<Format>,
     /// The board is to be reset.
     pub reset: Cell<bool>,
+    /// The board at the other end.
+    pub board: Cell<Board>,
     pub now: Cell<Duration>,
     /// When to go on if nothing comes.
     pub until: Cell<Duration>,
@@ -43,6 +47,7 @@ impl Mailbox {
         Mailbox {
             format: Cell::new(format),
             reset: Cell::default(),
+            board: Cell::new(AT_A_LINE),
             now: Cell::default(),
             until: Cell::default(),
             came: RefCell::default(),
@@ -72,6 +77,16 @@ impl Link {
     /// The time of this step.
     pub fn now(&self) -> Duration {
         self.0.now.get()
+    }
+
+    /// The board at the other end.
+    pub fn board(&self) -> Board {
+        self.0.board.get()
+    }
+
+    /// It has said which it is.
+    pub fn meet(&self, board: Board) {
+        self.0.board.set(board);
     }
 
     /// Sends bytes. What has come before that is forgotten: it is late, or was never meant for us.

@@ -1,6 +1,5 @@
 //! What may be ordered of a board, and how it is done.
 
-use crate::AT_A_LINE;
 use crate::client::{Client, Failure};
 use crate::diagnostics::Diagnostics;
 use crate::download::download;
@@ -78,7 +77,8 @@ impl Order {
             Order::Set(point, value) => point::set(client, *point, *value).await,
             Order::Upload(upload) => return upload.put(client, tell).await.map(Done::Uploaded),
             Order::Fetch => {
-                let code = download(client, AT_A_LINE).await;
+                let board = client.board();
+                let code = download(client, board).await;
                 tell(Event::Fetched(&code.map_err(Undone::from)?));
                 Ok(())
             }

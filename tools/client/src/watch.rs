@@ -10,15 +10,15 @@ use unoclp_core::{Image, Inputs, Millis, Snapshot};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Forces {
     /// Which.
-    pub points: u16,
+    pub points: u32,
     /// To what.
-    pub to: u16,
+    pub to: u32,
 }
 
 impl Forces {
     /// What the point with this index is forced to.
     pub const fn get(self, index: u8) -> Option<bool> {
-        let bit = 1 << (index & 0x0F);
+        let bit = 1 << (index & 0x1F);
         if self.points & bit == 0 {
             None
         } else {
@@ -28,7 +28,7 @@ impl Forces {
 
     /// Forces the point with this index, or lets it go.
     pub const fn set(&mut self, index: u8, to: Option<bool>) {
-        let bit = 1 << (index & 0x0F);
+        let bit = 1 << (index & 0x1F);
         self.points &= !bit;
         self.to &= !bit;
         if let Some(on) = to {
@@ -57,22 +57,30 @@ impl Forced {
     /// # Errors
     /// [`Failure`].
     pub async fn read(client: &mut Client) -> Result<Forced, Failure> {
-        let (first, end) = (holding::FORCED_INPUTS, holding::FORCING_ENDS);
-        let words = client.words(first.table, first.first, end.end() - first.first);
+        let first = holding::FORCED_INPUTS;
+        let end = match client.has_more_inputs() {
+            true => holding::MORE_TO,
+            false => holding::FORCING_ENDS,
+        };
+        let words = client.words(first.table, first.first, end.first + 1 - first.first);
         let words = match if_there(words.await)? {
             Some(words) => words,
             None => {
-                let count = end.first - first.first;
+                let count = holding::FORCING_ENDS.first - first.first;
                 client.words(first.table, first.first, count).await?
             }
         };
-        let &[inputs, inputs_to, outputs, outputs_to, ref ends @ ..] = &words[..] else {
+        let &[inputs, inputs_to, outputs, outputs_to, ref rest @ ..] = &words[..] else {
             return Err(Failure::Garbled);
+        };
+        let (ends, [more, more_to]) = match rest {
+            [ends @ .., more, more_to] => (ends, [*more, *more_to]),
+            ends => (ends, [0, 0]),
         };
         let forces = |points, to| Forces { points, to };
         Ok(Forced {
-            inputs: forces(inputs, inputs_to),
-            outputs: forces(outputs, outputs_to),
+            inputs: forces(long(more, inputs), long(more_to, inputs_to)),
+            outputs: forces(outputs.into(), outputs_to.into()),
             ends: ends.first().and_then(|&ends| ends.try_into().ok()),
         })
     }
@@ -92,7 +100,7 @@ impl fmt::Display for Forced {
     /// `I1=1 Q2=0`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let side = |letter: char, forces: Forces| {
-            (0..16).filter_map(move |index| {
+            (0..32).filter_map(move |index| {
                 let to = u8::from(forces.get(index)?);
                 Some(format!("{letter}{}={to}", index + 1))
             })
@@ -104,6 +112,9 @@ impl fmt::Display for Forced {
     }
 }
 
+/// Points of a word.
+const WORD: u8 = 16;
+
 /// What can be forced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
@@ -114,9 +125,10 @@ pub enum Side {
 }
 
 impl Side {
-    /// Which points are forced; the register after it says to what.
-    const fn span(self) -> Span {
+    /// Which points are forced, of the word that has the one with this index; the register after it says to what.
+    const fn span(self, index: u8) -> Span {
         match self {
+            Side::Inputs if index >= WORD => holding::FORCED_MORE,
             Side::Inputs => holding::FORCED_INPUTS,
             Side::Outputs => holding::FORCED_OUTPUTS,
         }
@@ -149,9 +161,9 @@ pub struct Reading {
     /// What the board says of itself.
     pub diagnostics: Diagnostics,
     /// The inputs as the program sees them, bit 0 input 01.
-    pub inputs: u16,
+    pub inputs: u32,
     /// The image of the outputs, bit 0 output 01.
-    pub outputs: u16,
+    pub outputs: u32,
     /// What is forced of the inputs.
     pub forced_inputs: Forces,
     /// What is forced of the outputs.
@@ -160,7 +172,7 @@ pub struct Reading {
     pub forcing_ends: Option<u8>,
     /// The markers, bit 0 M 01.
     pub markers: Option<u64>,
-    /// A 00 to A 04.
+    /// A 00 and those after it.
     pub analogue: Vec<u16>,
     /// D 01 and those after it.
     pub registers: Vec<i32>,
@@ -256,10 +268,11 @@ pub async fn force(
         if_there(client.set_word(holding::FORCING_ENDS, seconds.into()).await)?;
     }
     // Another client may force other points.
-    let mut forces = forces(client, side).await?;
-    forces.set(index, to);
-    let words = [forces.points, forces.to];
-    client.set_words(side.span(), &words).await
+    let span = side.span(index);
+    let mut forces = forces(client, span).await?;
+    forces.set(index % WORD, to);
+    let words = [forces.points as u16, forces.to as u16];
+    client.set_words(span, &words).await
 }
 
 /// Lets all points go.
@@ -268,34 +281,39 @@ pub async fn force(
 /// [`Failure`].
 pub async fn release(client: &mut Client) -> Result<(), Failure> {
     client.set_words(holding::FORCED_INPUTS, &[0, 0]).await?;
+    if client.has_more_inputs() {
+        client.set_words(holding::FORCED_MORE, &[0, 0]).await?;
+    }
     client.set_words(holding::FORCED_OUTPUTS, &[0, 0]).await
 }
 
-async fn forces(client: &mut Client, side: Side) -> Result<Forces, Failure> {
-    let span = side.span();
+async fn forces(client: &mut Client, span: Span) -> Result<Forces, Failure> {
     match *client.words(span.table, span.first, 2).await? {
-        [points, to] => Ok(Forces { points, to }),
+        [points, to] => Ok(Forces {
+            points: points.into(),
+            to: to.into(),
+        }),
         _ => Err(Failure::Garbled),
     }
 }
 
 /// The inputs, bit 0 input 01.
-pub(crate) async fn inputs(client: &mut Client) -> Result<u16, Failure> {
+pub(crate) async fn inputs(client: &mut Client) -> Result<u32, Failure> {
     // Firmware of version 1 has four.
     let four = Span {
         values: 4,
         ..discrete::INPUTS
     };
-    let inputs = match if_there(client.bits(discrete::INPUTS).await)? {
+    let inputs = match if_there(client.bits(client.span(discrete::INPUTS)).await)? {
         Some(inputs) => inputs,
         None => client.bits(four).await?,
     };
-    Ok(pack(&inputs) as u16)
+    Ok(pack(&inputs) as u32)
 }
 
 /// The image of the outputs, bit 0 output 01.
-pub(crate) async fn outputs(client: &mut Client) -> Result<u16, Failure> {
-    Ok(pack(&client.bits(coil::OUTPUTS).await?) as u16)
+pub(crate) async fn outputs(client: &mut Client) -> Result<u32, Failure> {
+    Ok(pack(&client.bits(client.span(coil::OUTPUTS)).await?) as u32)
 }
 
 /// The markers, bit 0 M 01; none if the board does not have them.
@@ -306,7 +324,7 @@ pub(crate) async fn markers(client: &mut Client) -> Result<Option<u64>, Failure>
 
 /// The analogue inputs; none if the board does not have them.
 pub(crate) async fn analogue(client: &mut Client) -> Result<Vec<u16>, Failure> {
-    let span = input::ANALOGUE;
+    let span = client.span(input::ANALOGUE);
     let words = client.words(span.table, span.first, span.values).await;
     Ok(if_there(words)?.unwrap_or_default())
 }

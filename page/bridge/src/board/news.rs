@@ -156,7 +156,7 @@ impl Seen {
 
 /// The points that are forced, and to what.
 fn forced(forces: Forces) -> Vec<(u8, bool)> {
-    let to = |number: u8| (number, u32::from(forces.to) >> (number - 1) & 1 != 0);
+    let to = |number: u8| (number, forces.to >> (number - 1) & 1 != 0);
     numbers(forces.points).into_iter().map(to).collect()
 }
 

@@ -1,18 +1,18 @@
-//! The firmware through the real boot loaders: Optiboot, which UNOs and newer Nanos have, and the one that Nanos had
-//! before.
+//! The firmware through the real boot loaders: Optiboot, which UNOs and newer Nanos have, the one that Nanos had before, and
+//! that of the Mega.
 
 use crate::common;
-use crate::common::line::{talk, write};
+use crate::common::line::{LOOK, now, talk};
 use std::path::Path;
 use std::time::Duration;
-use unoclp_boot::{Failure, Image, Model, Stage, Trouble, Writer};
+use unoclp_boot::{self as boot, Failure, Image, Model, Stage, Trouble, Writer};
 use unoclp_cli::port::Port as SerialPort;
 use unoclp_client::flash;
 use unoclp_client::session::Event;
 use unoclp_client::start::find;
 use unoclp_lang::Lang;
 use unoclp_uno_sim::port::{Options, Pace, Port};
-use unoclp_uno_sim::{BootLoader, Line, Program, Slot, Uno};
+use unoclp_uno_sim::{BootLoader, CYCLES_PER_MS, Line, Program, Slot, Uno};
 
 /// Input 01 is output 01.
 const FOLLOW: &str = "0\n827301\n877901\n";
@@ -32,7 +32,7 @@ fn boot_loader(model: Model) -> Program {
     let boot_loader = match model {
         Model::Uno | Model::Nano => BootLoader::Optiboot,
         Model::NanoOld => BootLoader::Old,
-        Model::Mega => unreachable!("no file is written to it yet"),
+        Model::Mega => BootLoader::Mega,
     };
     assert_eq!(boot_loader.rate(), model.rate());
     boot_loader.program().unwrap()
@@ -47,7 +47,60 @@ fn firmware(model: Model) -> Image {
 
 /// A firmware of four pages: vectors, and then a loop.
 fn small(model: Model) -> Image {
-    Image::read(include_bytes!("../data/loop.hex"), model).unwrap()
+    let hex: &[u8] = match model {
+        Model::Mega => include_bytes!("../data/loop-mega.hex"),
+        _ => include_bytes!("../data/loop.hex"),
+    };
+    Image::read(hex, model).unwrap()
+}
+
+/// Which way a byte goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Way {
+    ToBoard,
+    FromBoard,
+}
+
+/// What comes of a byte on its way, and how much later; none: nothing.
+type Fate<'a> = &'a mut dyn FnMut(Way, u8) -> Option<(u8, Duration)>;
+
+/// Writes an image through the board's boot loader, on a line with this fate; the reset button is pressed where the
+/// writer asks for a reset.
+fn write(uno: &mut Uno, image: &Image, fate: Fate<'_>) -> Result<(), Failure> {
+    let mut writer = Writer::new(image);
+    uno.take_serial();
+    let mut came = Vec::new();
+    // What is on its way, and when it comes.
+    let mut coming: Vec<(Duration, u8)> = Vec::new();
+    loop {
+        let step = writer.step(now(uno), &came);
+        came.clear();
+        if step.reset {
+            uno.reset();
+            uno.take_serial();
+            coming.clear();
+        }
+        for byte in step.send {
+            if let Some((byte, late)) = fate(Way::ToBoard, byte) {
+                let cycles = late.as_millis() as u64 * CYCLES_PER_MS;
+                uno.send_serial_at(uno.cycles() + cycles, &[byte]);
+            }
+        }
+        let until = match step.next {
+            boot::Next::Done(outcome) => return outcome,
+            boot::Next::Wait(until) => until,
+        };
+        while came.is_empty() && now(uno) < until {
+            uno.run_cycles(LOOK).unwrap();
+            for sent in uno.take_serial_log() {
+                let fate = fate(Way::FromBoard, sent.byte);
+                coming.extend(fate.map(|(byte, late)| (now(uno) + late, byte)));
+            }
+            while coming.first().is_some_and(|&(at, _)| at <= now(uno)) {
+                came.push(coming.remove(0).1);
+            }
+        }
+    }
 }
 
 fn flash(uno: &mut Uno, image: &Image) -> Result<(), Failure> {
@@ -99,6 +152,28 @@ fn a_firmware_is_written_over_the_one_that_runs() {
     uno.run_ms(100).unwrap();
     assert_eq!(flash(&mut uno, &small(Model::Uno)), Ok(()));
     holds(&uno, &small(Model::Uno));
+}
+
+/// Its boot loader speaks another protocol: it is asked in that, and nothing is written.
+#[test]
+fn a_firmware_for_the_other_chip_is_refused_by_signature() {
+    for [own, other] in [[Model::Uno, Model::Mega], [Model::Mega, Model::Uno]] {
+        let mut uno = chip(own, Slot::Empty);
+        let before = uno.read_flash(0, 0x1000).unwrap().to_vec();
+        let failure = flash(&mut uno, &small(other)).unwrap_err();
+        let signature = match own {
+            Model::Mega => [0x1E, 0x98, 0x01],
+            _ => [0x1E, 0x95, 0x0F],
+        };
+        let trouble = Trouble::OtherChip {
+            signature,
+            model: other,
+        };
+        let stage = Stage::Meeting;
+        assert_eq!(failure, Failure { trouble, stage });
+        assert_eq!(uno.read_flash(0, 0x1000).unwrap(), before);
+        assert_eq!(flash(&mut uno, &small(own)), Ok(()));
+    }
 }
 
 #[test]
@@ -155,7 +230,7 @@ fn on_a_line_that_drops_delays_and_changes_bytes_the_next_try_works() {
                         Trouble::BrokenOff
                             | Trouble::Garbled
                             | Trouble::Differs { .. }
-                            | Trouble::OtherChip(_)
+                            | Trouble::OtherChip { .. }
                     ),
                     "{failure:?}"
                 ),

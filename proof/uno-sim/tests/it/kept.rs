@@ -1,7 +1,7 @@
 //! Numbers that outlast a power cut (NC-21).
 
 use crate::common::modbus::{long, to_serving, words, write};
-use crate::common::{card, ms_until, to_run, uno};
+use crate::common::{card, ms_until, place, to_run, uno};
 use unoclp_modbus::eeprom::{numbers, program};
 use unoclp_modbus::map::holding;
 use unoclp_uno_sim::{Slot, Space, Uno};
@@ -160,7 +160,7 @@ fn records(uno: &Uno) -> usize {
     let writes = uno.eeprom_writes().iter();
     let sequences = writes.filter(|write| {
         let at = write.address;
-        (first..program::END).contains(&at) && (at - first).is_multiple_of(record)
+        (first..place(program::END)).contains(&at) && (at - first).is_multiple_of(record)
     });
     sequences.count()
 }
@@ -223,6 +223,7 @@ fn numbers_that_always_change_do_not_wear_the_eeprom_out() {
     uno.run_ms(12 * 50).unwrap();
     let length = uno.read_eeprom(program::LENGTH, 2).unwrap();
     let length = u16::from_le_bytes(*length.first_chunk().unwrap());
+    // As many as an UNO has: the longer ring of another board lasts longer.
     let places = u64::from((program::END - numbers::first(length)) / u16::from(numbers::record(1)));
     let before = records(&uno) as u64;
     // The clock stands, and goes on by a second at a time: what goes on beside the scans waits for it.
@@ -244,7 +245,7 @@ fn numbers_that_always_change_do_not_wear_the_eeprom_out() {
         (places - 3..=places + 3).contains(&came),
         "{came} of {places}"
     );
-    let most = uno.eeprom_wear()[numbers::first(length).into()..program::END.into()]
+    let most = uno.eeprom_wear()[numbers::first(length).into()..place(program::END).into()]
         .iter()
         .copied()
         .max();

@@ -1,4 +1,4 @@
-//! The firmware's ELF on the simulated UNO, and that of the Mega on its chip.
+//! The firmware's ELF on the simulated UNO. What holds for every board runs on the Mega's too (`tests/mega/`).
 
 mod analogue;
 mod arithmetic;
@@ -17,7 +17,6 @@ mod languages;
 mod live;
 mod lockstep;
 mod machines;
-mod mega;
 mod modbus;
 mod modbus_boundaries;
 mod modbus_data;
@@ -39,6 +38,7 @@ mod soak;
 mod stack;
 mod start_up;
 mod state;
+mod state_led;
 mod state_power;
 mod state_refused;
 mod state_scans;
@@ -46,3 +46,6 @@ mod stop;
 mod suite;
 mod typed;
 mod watchdog;
+
+/// The board whose firmware is under test.
+const BOARD: unoclp_core::Board = unoclp_core::Board::UNO;

@@ -1,5 +1,6 @@
 //! Every function at every boundary of the map, in RUN, STOP and FAULT.
 
+use crate::BOARD;
 use crate::common::modbus::{ask, input};
 use crate::common::{card, ms_until, uno};
 use std::ops::RangeInclusive;
@@ -14,18 +15,27 @@ const PROGRAM: &str = "0\n827301\n847978\n60000\n7901\n787600\n827302\n847970\n6
     787600\n827303\n67848501\n3\n877903\n";
 
 /// First and last address of every range, and their neighbours.
-const ADDRESSES: [u16; 37] = [
-    0, 3, 4, 7, 8, 15, 16, 32, 33, 63, 64, 79, 80, 127, 128, 131, 132, 301, 302, 319, 320, 351,
-    352, 399, 400, 402, 405, 410, 413, 1000, 1449, 1450, 1999, 2000, 2195, 2196, 0xFFFF,
+const ADDRESSES: [u16; 39] = [
+    0, 3, 4, 7, 8, 15, 16, 23, 24, 32, 33, 63, 64, 79, 80, 127, 128, 131, 132, 301, 302, 319, 320,
+    351, 352, 399, 400, 402, 405, 410, 413, 1000, 1449, 1450, 1999, 2000, 2195, 2196, 0xFFFF,
 ];
 
 /// What a function may be asked for, by `docs/modbus.md`.
 fn ranges(function: u8, state: u16) -> Vec<RangeInclusive<u16>> {
+    let last = |points: u8| u16::from(points) - 1;
     let settings = [400..=400, 402..=405, 410..=413];
     match function {
-        1 | 5 | 15 => vec![0..=3, 16..=79],
-        2 => vec![0..=7],
-        4 => vec![0..=4, 16..=32, 128..=301, 320..=351, 1000..=1449],
+        // A request may go on from outputs to markers where they join.
+        1 | 5 | 15 if BOARD.outputs == 16 => vec![0..=79],
+        1 | 5 | 15 => vec![0..=last(BOARD.outputs), 16..=79],
+        2 => vec![0..=last(BOARD.inputs)],
+        4 => vec![
+            0..=last(BOARD.analogue),
+            16..=32,
+            128..=301,
+            320..=351,
+            1000..=999 + BOARD.stored_bytes.div_ceil(2),
+        ],
         3 => [&[0..=301, 320..=351, 2000..=2195], &settings[..]].concat(),
         _ if state == FAULT => [&[0..=127, 2000..=2195], &settings[..]].concat(),
         _ => [&[0..=131, 320..=321, 2000..=2195], &settings[..]].concat(),
@@ -39,8 +49,8 @@ fn refusal(address: u16, value: u16, state: u16) -> Option<u8> {
         128..400 => address % 2 == 1 || value < 0x8000,
         // Commands are not asked for here.
         400 => false,
-        402 | 403 => value < 0x100,
-        404 | 405 => value < 0x10,
+        402 | 403 => BOARD.inputs >= 16 || value < 1 << BOARD.inputs,
+        404 | 405 => BOARD.outputs >= 16 || value < 1 << BOARD.outputs,
         _ if state == RUN => return Some(4),
         410 => (1..=247).contains(&value),
         411 => (24..=1152).contains(&value),

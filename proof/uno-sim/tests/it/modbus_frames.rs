@@ -3,6 +3,7 @@
 #[path = "../../../../device/modbus/tests/it/common/random.rs"]
 mod random;
 
+use crate::BOARD;
 use crate::common::modbus::{ask, bits, exchange, serving, with_crc};
 use crate::common::{card, ms_until, uno};
 use random::Random;
@@ -26,6 +27,8 @@ struct Table {
 #[derive(serde::Deserialize)]
 struct Case {
     name: String,
+    /// Where only this board answers so.
+    board: Option<String>,
     frames: Vec<[String; 2]>,
 }
 
@@ -46,19 +49,21 @@ fn each_request_of_the_table_gets_its_reply() {
     uno.set_stop(true);
     ms_until(&mut uno, &["STOP\r\n"]);
     uno.run_ms(5).unwrap();
-    let mut frames = 0;
+    let (mut frames, mut wrong) = (0, Vec::new());
     for case in table.case {
+        if case.board.is_some_and(|board| board != BOARD.id()) {
+            continue;
+        }
         for [request, reply] in &case.frames {
             let expected = Some(bytes(reply)).filter(|reply| !reply.is_empty());
-            assert_eq!(
-                ask(&mut uno, &bytes(request)),
-                expected,
-                "{}: {request}",
-                case.name
-            );
+            let came = ask(&mut uno, &bytes(request));
+            if came != expected {
+                wrong.push(format!("{}: {request} {came:02x?}", case.name));
+            }
             frames += 1;
         }
     }
+    assert_eq!(wrong, [""; 0]);
     println!("{frames} requests of the table");
 }
 
@@ -85,7 +90,8 @@ fn running() -> Uno {
 fn assert_well(uno: &mut Uno, inputs: u8) {
     uno.set_inputs(inputs);
     uno.run_ms(1).unwrap();
-    assert_eq!(uno.outputs(), inputs);
+    // Others may have been written by a frame.
+    assert_eq!(uno.outputs() & 0x0F, inputs);
     assert_eq!(bits(uno, 2, 0, 4), inputs);
     assert_eq!(uno.resets(), 0);
 }

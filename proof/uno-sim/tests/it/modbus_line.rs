@@ -5,7 +5,7 @@ use crate::common;
 use crate::common::modbus::{
     ask, exchange, input, serving, to_serving, with_crc, words, write, write_words,
 };
-use crate::common::{card, ms_until, to_run};
+use crate::common::{card, ms_until, place, to_run};
 use unoclp_modbus::eeprom::settings;
 use unoclp_testing::cases;
 use unoclp_uno_sim::{CYCLES_PER_MS, Flaw, Line, Parity, Slot, Uno};
@@ -289,7 +289,7 @@ fn settings_are_checked_and_not_written_in_run() {
     assert!(
         uno.eeprom_writes()
             .iter()
-            .all(|write| write.address < settings::OLD)
+            .all(|write| write.address < place(settings::OLD))
     );
 }
 
@@ -300,14 +300,15 @@ fn settings_that_are_damaged_twice_are_the_defaults() {
     set(&mut uno, [7, 96, 1, 0]);
     let bytes = settings::SLOT_BYTES;
     let kept = uno
-        .read_eeprom(settings::FIRST, 2 * usize::from(bytes))
+        .read_eeprom(place(settings::FIRST), 2 * usize::from(bytes))
         .unwrap();
     for byte in 0..bytes {
         let mut uno = running();
-        uno.write_eeprom(settings::FIRST, &kept).unwrap();
+        uno.write_eeprom(place(settings::FIRST), &kept).unwrap();
         for at in [byte, bytes + byte] {
             let damaged = kept[usize::from(at)] ^ 1;
-            uno.write_eeprom(settings::FIRST + at, &[damaged]).unwrap();
+            uno.write_eeprom(place(settings::FIRST) + at, &[damaged])
+                .unwrap();
         }
         uno.power_up();
         to_serving(&mut uno);
@@ -327,7 +328,7 @@ fn old_form(settings: [u16; 4]) -> Vec<u8> {
 /// A board in STOP that was powered with these settings of 0.1.0, and what its other end is like then.
 fn with_old_settings(settings: [u16; 4]) -> Uno {
     let mut uno = common::uno(Slot::Card(card(TEXT)));
-    uno.write_eeprom(settings::OLD, &old_form(settings))
+    uno.write_eeprom(place(settings::OLD), &old_form(settings))
         .unwrap();
     speak(&mut uno, settings);
     to_serving(&mut uno);
@@ -352,7 +353,7 @@ fn settings_that_0_1_0_kept_are_read() {
     assert_eq!(words(&mut uno, 3, 410, 4), new);
     // What they took the place of never comes back.
     for slot in [settings::FIRST, settings::SECOND] {
-        uno.write_eeprom(slot, &[settings::INVALID]).unwrap();
+        uno.write_eeprom(place(slot), &[settings::INVALID]).unwrap();
     }
     speak(&mut uno, [1, 1152, 0, 0]);
     uno.power_up();
@@ -399,7 +400,7 @@ fn settings_cut_by_a_power_failure_are_the_old_ones_or_the_new_ones() {
         for left in (0..saves).rev() {
             set(&mut uno, if left % 2 == 0 { old } else { other });
         }
-        let eeprom = uno.read_eeprom(0, 1024).unwrap();
+        let eeprom = uno.read_eeprom(0, uno.chip().eeprom_len()).unwrap();
         let (mut kept_old, mut kept_new) = (0, 0);
         let cuts = (1..40).flat_map(|nth| [(nth, false), (nth, true)]);
         for (nth, during) in cuts {
@@ -527,11 +528,11 @@ fn no_scan_grows_by_more_than_300_us() {
 /// A program whose scans take 3 ms.
 fn scans_of_3_ms() -> Uno {
     let timers = "787600\n847978\n100000\n7901\n".repeat(45);
-    let mut uno = serving(&format!("0\n{timers}766801\n{}", "68738602\n".repeat(70)));
+    let mut uno = serving(&format!("0\n{timers}766801\n{}", "68738602\n".repeat(62)));
     write_words(&mut uno, 0, &[0x7FFF, 0xFFFF, 0, 3]).unwrap();
     let scan = longest(&mut uno, 100);
     println!("a scan of {scan} cycles");
-    assert!((46_000..52_000).contains(&scan), "{scan} cycles");
+    assert!((44_000..49_000).contains(&scan), "{scan} cycles");
     uno
 }
 

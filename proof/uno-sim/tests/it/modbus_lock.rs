@@ -4,7 +4,7 @@
 use crate::common::modbus::{
     bits, exchange, input, serving, to_serving, with_crc, words, write, write_words,
 };
-use crate::common::ms_until;
+use crate::common::{ms_until, place};
 use crate::modbus_upload::upload;
 use unoclp_modbus::Table;
 use unoclp_modbus::eeprom::settings;
@@ -280,7 +280,8 @@ fn no_client_wears_the_settings_out() {
 /// Both slots of the settings, as they are kept.
 fn slots(uno: &Uno) -> Vec<u8> {
     let bytes = settings::END - settings::FIRST;
-    uno.read_eeprom(settings::FIRST, bytes.into()).unwrap()
+    uno.read_eeprom(place(settings::FIRST), bytes.into())
+        .unwrap()
 }
 
 /// Whichever bit of the two slots is turned over, the other slot counts, and mends it at the next start.
@@ -300,7 +301,7 @@ fn no_flipped_bit_opens_the_lock() {
         for bit in cases(0..kept.len() * 8) {
             let mut damaged = kept.clone();
             damaged[bit / 8] ^= 1 << (bit % 8);
-            uno.write_eeprom(settings::FIRST, &damaged).unwrap();
+            uno.write_eeprom(place(settings::FIRST), &damaged).unwrap();
             uno.power_up();
             to_serving(&mut uno);
             let told = words(&mut uno, 3, 410, 5);
@@ -326,7 +327,8 @@ fn settings_that_stand_in_one_slot_are_kept_in_both_from_the_next_start_on() {
         [&blank, second],
         [&other, second],
     ] {
-        uno.write_eeprom(settings::FIRST, &one.concat()).unwrap();
+        uno.write_eeprom(place(settings::FIRST), &one.concat())
+            .unwrap();
         uno.power_up();
         to_serving(&mut uno);
         assert_eq!(words(&mut uno, 3, LOCK, 1), [LOCKED_UPLOAD]);

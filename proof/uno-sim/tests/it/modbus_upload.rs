@@ -1,5 +1,6 @@
 //! A program that comes over Modbus in place of a card.
 
+use crate::BOARD;
 use crate::common;
 use crate::common::modbus::{FORM, ask, bits, input, long, with_crc, words, write};
 use crate::common::{card, ms_until, to_run, uno};
@@ -37,7 +38,8 @@ fn block(number: u8, text: &[u8]) -> Vec<u8> {
 /// Sends a block.
 fn send(uno: &mut Uno, number: u8, text: &[u8]) -> Result<(), u8> {
     let frame = block(number, text);
-    let reply = common::modbus::exchange(uno, &with_crc(&frame), 5000).expect("a reply");
+    let reply = common::modbus::exchange(uno, &with_crc(&frame), 5 * u64::from(BOARD.stored_bytes))
+        .expect("a reply");
     if reply == frame[..6] {
         Ok(())
     } else {
@@ -99,14 +101,16 @@ fn a_program_is_checked_stored_and_run() {
 
 #[test]
 fn the_largest_program_fits() {
-    let text = "0\n".to_owned() + &"827301\n".repeat(899) + "877904\n";
+    let text =
+        "0\n".to_owned() + &"827301\n".repeat(usize::from(BOARD.stored_bytes) - 1) + "877904\n";
     let mut uno = stopped();
     upload(&mut uno, [&text; 2], 244).unwrap();
-    assert_eq!(input(&mut uno, 28), 900);
+    assert_eq!(input(&mut uno, 28), BOARD.stored_bytes);
     uno.set_inputs(1);
     write(&mut uno, 400, RUN).unwrap();
     // It begins again out of the EEPROM.
-    uno.run_ms(60).unwrap();
+    uno.run_ms(60 * u64::from(BOARD.stored_bytes) / 900)
+        .unwrap();
     assert_eq!(uno.outputs(), 0b1000);
     assert!(uno.stack_free() > 0);
 }
@@ -116,7 +120,7 @@ fn faults_are_those_of_a_card_and_the_old_program_stays() {
     for (text, fault, line) in [
         ("", 21, 0),
         ("877902\n", 22, 1),
-        ("0\n\n/ comment\n877905\n", 26, 4),
+        ("0\n\n/ comment\n877917\n", 26, 4),
         ("0\n40\n827301\n", 32, 2),
         ("0\n827301\n847978\n500\n", 35, 3),
         ("0\r827301", 13, 1),
@@ -376,7 +380,7 @@ fn a_board_without_a_program_takes_one_in_fault() {
     let mut uno = uno(Slot::Empty);
     ms_until(&mut uno, &["wired?\r\n"]);
     uno.run_ms(5).unwrap();
-    assert_eq!(upload(&mut uno, ["0\n877905\n"; 2], 100), Err(4));
+    assert_eq!(upload(&mut uno, ["0\n877917\n"; 2], 100), Err(4));
     assert_eq!(outcome(&mut uno), (false, 26, 2));
     assert_eq!(input(&mut uno, 16), FAULT);
     upload(&mut uno, [NEW; 2], 100).unwrap();

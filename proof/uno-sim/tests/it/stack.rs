@@ -1,5 +1,6 @@
 //! The stack at its deepest, measured on the release ELF.
 
+use crate::BOARD;
 use crate::common;
 use crate::modbus_upload;
 use unoclp_card::image::{Fat, Image};
@@ -8,7 +9,7 @@ use unoclp_host_sim::engine::Engine;
 use unoclp_host_sim::random::{Random, random_inputs, random_program};
 use unoclp_uno_sim::engine::{Clock, UnoEngine};
 use unoclp_uno_sim::sd::{Kind, SdCard};
-use unoclp_uno_sim::{RAM_END, Slot, Uno};
+use unoclp_uno_sim::{Slot, Uno};
 
 /// What must stay free at least, bytes.
 const RESERVE: u32 = 64;
@@ -18,9 +19,10 @@ fn free(uno: &Uno) -> u32 {
     (u32::from(uno.min_sp()) + 1).saturating_sub(uno.static_ram_end())
 }
 
-/// A program of 900 stored bytes.
+/// The longest program.
 fn largest() -> String {
-    "0\n".to_owned() + &"787600\n827301\n827302\n877901\n".repeat(225)
+    "0\n".to_owned()
+        + &"787600\n827301\n827302\n877901\n".repeat(usize::from(BOARD.stored_bytes) / 4)
 }
 
 #[test]
@@ -80,7 +82,7 @@ fn peak_stack_leaves_a_reserve() {
         upload = upload.min(free(&uno));
     }
     let uno = engine.uno().unwrap();
-    let room = RAM_END + 1 - uno.static_ram_end();
+    let room = uno.chip().ram_end() + 1 - uno.static_ram_end();
     for (when, free) in [
         ("load", load),
         ("run", run),

@@ -226,7 +226,7 @@ fn expect_untouched(uno: &mut Uno, image: &[u8], ms: u64, case: &str) {
 #[test]
 fn a_fault_writes_nothing() {
     let image = Image::new(Fat::Fat16)
-        .file("PROGRAM.TXT", FOLLOW.replace("877904", "877905"))
+        .file("PROGRAM.TXT", FOLLOW.replace("877904", "877917"))
         .file("STATE.TXT", template())
         .build()
         .unwrap();

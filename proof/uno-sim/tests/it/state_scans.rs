@@ -8,7 +8,7 @@ use crate::common::{card, firmware, to_run};
 use std::sync::LazyLock;
 use unoclp_testing::cases;
 use unoclp_uno_sim::sd::{At, CardLog, Kind, SdCard, What};
-use unoclp_uno_sim::{CYCLES_PER_MS, Edge, Pin, RAM_START, Slot, Uno};
+use unoclp_uno_sim::{CYCLES_PER_MS, Pin, Slot, Uno};
 
 /// Output 01 follows input 01; output 04 changes in every scan, so that there is always something
 /// to save.
@@ -236,7 +236,7 @@ fn the_longest_uptime_lengthens_no_scan() {
     ));
     let mut scans = Scans::default();
     // Nothing is saved meanwhile. Only the count of seconds says 1, 2 and 3 then.
-    let mut places: Vec<u32> = (RAM_START..RAM_START + 2038).collect();
+    let mut places: Vec<u32> = (uno.chip().ram_start()..uno.chip().ram_end() - 8).collect();
     for second in 1..=3u32 {
         let now = uno.cycles();
         uno.run_cycles((u64::from(second) * 1000 + 500) * CYCLES_PER_MS - now)
@@ -258,54 +258,4 @@ fn the_longest_uptime_lengthens_no_scan() {
         saved.uptime, scans.longest
     );
     assert!(saved.uptime > longest, "{saved:?}");
-}
-
-/// Whatever moves the clock line while the card is selected is a clock to it. LED L hangs on that
-/// line, so the bus must have it before the card is selected, and as long as it is.
-#[test]
-fn the_bus_has_the_clock_line_as_long_as_the_card_is_selected() {
-    const PORTB: u32 = 0x25;
-    const SPCR: u32 = 0x4C;
-    const CS: u8 = 1 << 2;
-    const ON_AND_MASTER: u8 = 1 << 6 | 1 << 4;
-    let mut uno = running(state_card(TOGGLE).with_write_time(3 * CYCLES_PER_MS));
-    let (mut selected, end) = (0u64, uno.cycles() + 60 * CYCLES_PER_MS);
-    while uno.cycles() < end {
-        uno.step().unwrap();
-        let register = |address| uno.read_ram(address, 1).unwrap()[0];
-        if register(PORTB) & CS == 0 {
-            selected += 1;
-            assert_eq!(register(SPCR) & ON_AND_MASTER, ON_AND_MASTER, "{uno:?}");
-        }
-    }
-    assert_eq!(log(&uno).count(13), 1);
-    println!("{selected} instructions with the card selected, the bus on at each");
-    assert!(selected > 10_000);
-}
-
-/// LED L is dark while a block goes to the card, and no longer.
-#[test]
-fn led_l_is_dark_for_a_few_ms_a_save() {
-    let mut uno = running(state_card("0\n827301\n877901\n").with_write_time(250 * CYCLES_PER_MS));
-    run_to_save(&mut uno);
-    uno.run_ms(1500).unwrap();
-    assert!(uno.led());
-    uno.take_edges();
-    uno.set_input(0, true);
-    run_to_save(&mut uno);
-    uno.run_ms(1).unwrap();
-    let led: Vec<Edge> = uno
-        .take_edges()
-        .into_iter()
-        .filter(|edge| edge.pin == Pin::Led)
-        .collect();
-    let dark: u64 = led
-        .chunks(2)
-        .map(|pair| pair[1].cycle - pair[0].cycle)
-        .sum();
-    println!("LED L is dark for {} us a save of 250 ms", dark / 16);
-    assert!(
-        !led[0].high && dark > 0 && dark < 30 * CYCLES_PER_MS,
-        "{dark}"
-    );
 }

@@ -1,49 +1,15 @@
 //! Every scenario of the project on the firmware.
 
 use crate::common;
+use crate::common::cases::{Of, every_scenario, first_fault};
 use std::ffi::OsStr;
-use std::path::PathBuf;
 use unoclp_boot::{Image, Model};
-use unoclp_core::{Board, Fault, Loader, Millis};
-use unoclp_exercise::scenario::{Scenario, check};
+use unoclp_core::{Board, Millis};
+use unoclp_exercise::scenario::check;
 use unoclp_host_sim::engine::{Engine, Refusal};
-use unoclp_testing::cases;
 use unoclp_uno_sim::avr8js::Avr8js;
 use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
 use unoclp_uno_sim::{Program, Slot, Uno, firmware_file, nano_file, unshortened_file};
-
-/// Which cases of an exercise are run: each is a start and some seconds, and there are many.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Of {
-    /// All.
-    Each,
-    /// The first, where another test runs all of them.
-    First,
-}
-
-/// All cases of the scenario files in these folders but for these of exercises, each with its file; in a quick run one of
-/// each few.
-fn scenarios(folders: &[&str], of: Of) -> impl Iterator<Item = (PathBuf, Scenario)> {
-    cases(
-        common::scenarios(folders)
-            .into_iter()
-            .flat_map(move |path| {
-                let all = Scenario::load_all(&path, unoclp_core::Board::UNO)
-                    .unwrap_or_else(|error| panic!("{error}"));
-                let is_exercise = path
-                    .components()
-                    .any(|part| part.as_os_str() == "exercises");
-                let most = if is_exercise && of == Of::First {
-                    1
-                } else {
-                    all.len()
-                };
-                all.into_iter()
-                    .take(most)
-                    .map(move |scenario| (path.clone(), scenario))
-            }),
-    )
-}
 
 fn run_all<S: Simulated>(
     firmware: Program,
@@ -54,7 +20,7 @@ fn run_all<S: Simulated>(
 ) {
     let mut engine = FirmwareEngine::<S>::new(firmware, clock).unwrap();
     let (mut passed, mut failed) = (0, Vec::new());
-    for (path, scenario) in scenarios(folders, of) {
+    for (path, scenario) in every_scenario(folders, of) {
         let running = clock == Clock::Running;
         // Listings of a course: some hold only if the inputs are what they say from the very first scan. Exercises are
         // many and take seconds each; what they show beside the others is no matter of the clock.
@@ -138,7 +104,7 @@ fn every_scenario_in_lockstep_on_a_nano() {
     let firmware = Program::read(&nano_file().unwrap()).unwrap();
     let mut engine = FirmwareEngine::<Uno>::new(firmware, Clock::Lockstep).unwrap();
     let (mut passed, mut refused, mut failed) = (0, 0, Vec::new());
-    for (path, scenario) in scenarios(&["programs", "proof/suite"], Of::First) {
+    for (path, scenario) in every_scenario(&["programs", "proof/suite"], Of::First) {
         let program = &scenario.program().bytes;
         match (
             first_fault(program, Board::UNO),
@@ -164,17 +130,6 @@ fn every_scenario_in_lockstep_on_a_nano() {
     );
     assert!(failed.is_empty(), "{}", failed.join("\n\n"));
     assert!(passed > 10 * refused && refused > 5);
-}
-
-/// The first fault of a program on a board.
-fn first_fault(file: &[u8], board: Board) -> Option<Fault> {
-    let mut memory = vec![0; board.linked_bytes.into()];
-    let mut loader = Loader::new(&mut memory, board);
-    for &byte in file {
-        // The loader keeps the first.
-        let _ = loader.push(byte);
-    }
-    loader.finish().err()
 }
 
 /// The samples and the timers with the board's own clock, which the timer interrupt drives: exact

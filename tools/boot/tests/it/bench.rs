@@ -5,7 +5,13 @@ use unoclp_boot::{Failure, Image, Model, Next, Progress, Writer};
 
 /// A firmware file with the vectors of the chip, and `size` bytes in all, at least 106.
 pub fn hex(size: usize) -> Vec<u8> {
-    let mut bytes: Vec<u8> = [0x0C, 0x94, 0x34, 0x00].repeat(26);
+    hex_of(Model::Uno, size)
+}
+
+/// The same for the chip of this board; for a Mega at least 230 bytes.
+pub fn hex_of(model: Model, size: usize) -> Vec<u8> {
+    let vectors = if model == Model::Mega { 57 } else { 26 };
+    let mut bytes: Vec<u8> = [0x0C, 0x94, 0x34, 0x00].repeat(vectors);
     bytes.extend([0xFF, 0xCF]);
     bytes.extend((bytes.len()..size).map(|at| (at * 7 + at / 256) as u8));
     encode(&bytes)
@@ -15,6 +21,10 @@ pub fn hex(size: usize) -> Vec<u8> {
 pub fn encode(bytes: &[u8]) -> Vec<u8> {
     let mut file = String::new();
     for (index, chunk) in bytes.chunks(16).enumerate() {
+        let at = index * 16;
+        if at > 0 && at.is_multiple_of(0x1_0000) {
+            file += &record(&[2, 0, 0, 4, 0, (at >> 16) as u8]);
+        }
         let [high, low] = ((index * 16) as u16).to_be_bytes();
         file += &record(&[&[chunk.len() as u8, high, low, 0], chunk].concat());
     }
@@ -30,7 +40,11 @@ pub fn record(bytes: &[u8]) -> String {
 }
 
 pub fn image(size: usize) -> Image {
-    Image::read(&hex(size), Model::Uno).expect("a firmware")
+    image_of(Model::Uno, size)
+}
+
+pub fn image_of(model: Model, size: usize) -> Image {
+    Image::read(&hex_of(model, size), model).expect("a firmware")
 }
 
 /// What becomes of a byte on its way.
@@ -61,9 +75,21 @@ pub struct Chip {
     came: Vec<u8>,
     /// A bit at this address is stuck at 0.
     pub stuck: Option<usize>,
+    /// Its boot loader speaks STK500v2; the page that it erases next, and the number of the next message.
+    second: Option<(usize, u8)>,
 }
 
 impl Chip {
+    /// That of a Mega.
+    pub fn mega() -> Chip {
+        Chip {
+            flash: vec![0xA5; 0x4_0000],
+            signature: [0x1E, 0x98, 0x01],
+            second: Some((0, 1)),
+            ..Chip::new()
+        }
+    }
+
     pub fn new() -> Chip {
         Chip {
             flash: vec![0xA5; 0x8000],
@@ -74,6 +100,7 @@ impl Chip {
             address: 0,
             came: Vec::new(),
             stuck: None,
+            second: None,
         }
     }
 
@@ -81,6 +108,7 @@ impl Chip {
         self.resets += 1;
         self.listens = true;
         self.came.clear();
+        self.second = self.second.map(|_| (0, 1));
     }
 
     /// Takes a byte, and gives what it answers.
@@ -89,6 +117,9 @@ impl Chip {
             return Vec::new();
         }
         self.came.push(byte);
+        if self.second.is_some() {
+            return self.take_message();
+        }
         let operands = match self.came[0] {
             b'U' => 2,
             b'd' => match self.came[..] {
@@ -135,6 +166,79 @@ impl Chip {
             _ => Vec::new(),
         };
         [&[0x14][..], &data, &[0x10]].concat()
+    }
+}
+
+/// As the Mega's boot loader does it.
+impl Chip {
+    fn take_message(&mut self) -> Vec<u8> {
+        if self.came[0] != 0x1B {
+            self.came.clear();
+            return Vec::new();
+        }
+        let [_, number, high, low, token, ..] = self.came[..] else {
+            return Vec::new();
+        };
+        let size = usize::from(u16::from_be_bytes([high, low]));
+        let Some((_, next)) = self.second else {
+            return Vec::new();
+        };
+        if token != 0x0E || !(1..=285).contains(&size) || !(number == 1 || number == next) {
+            self.came.clear();
+            return Vec::new();
+        }
+        if self.came.len() < size + 6 {
+            return Vec::new();
+        }
+        let message = std::mem::take(&mut self.came);
+        if message.iter().fold(0, |sum, byte| sum ^ byte) != 0 {
+            return Vec::new();
+        }
+        let body = self.answer(&message[5..size + 5]);
+        if let Some((_, next)) = &mut self.second {
+            *next = number.wrapping_add(1);
+        }
+        let [high, low] = (body.len() as u16).to_be_bytes();
+        let mut answer = [&[0x1B, number, high, low, 0x0E][..], &body].concat();
+        answer.push(answer.iter().fold(0, |sum, byte| sum ^ byte));
+        answer
+    }
+
+    fn answer(&mut self, body: &[u8]) -> Vec<u8> {
+        let command = body[0];
+        match *body {
+            [0x01] => b"\x01\x00\x08AVRISP_2".to_vec(),
+            [0x06, a, b, c, d] => {
+                self.address = 2 * u32::from_be_bytes([a, b, c, d]) as usize;
+                vec![command, 0]
+            }
+            [0x11, ..] => {
+                self.started = true;
+                self.listens = false;
+                vec![command, 0]
+            }
+            [0x13, high, low, _, _, _, _, _, _, _, ref page @ ..] => {
+                let page = &page[..page.len().min(u16::from_be_bytes([high, low]).into())];
+                // One page after the other, whichever is written.
+                if let Some((erased, _)) = &mut self.second {
+                    self.flash[*erased..*erased + 256].fill(0xFF);
+                    *erased += 256;
+                }
+                for (cell, byte) in self.flash[self.address..].iter_mut().zip(page) {
+                    *cell &= byte;
+                }
+                vec![command, 0]
+            }
+            [0x14, high, low, _] => {
+                let count = usize::from(u16::from_be_bytes([high, low]));
+                let read = &self.flash[self.address..][..count];
+                [&[command, 0], read, &[0]].concat()
+            }
+            [0x1B, _, 0x30, _, index, _] => {
+                vec![command, 0, self.signature[usize::from(index) % 3], 0]
+            }
+            _ => vec![command, 0],
+        }
     }
 }
 

@@ -1,7 +1,9 @@
 //! Which files are taken for which boards.
 
-use crate::bench::{encode, hex, record};
+use crate::bench::{encode, hex, hex_of, record};
 use unoclp_boot::{Image, Model, Unfit};
+
+const OTHER: Unfit = Unfit::OtherChip { model: Model::Uno };
 
 fn read(file: &[u8]) -> Result<Vec<u8>, Unfit> {
     Image::read(file, Model::Uno).map(|image| image.bytes().to_vec())
@@ -58,11 +60,11 @@ fn each_kind_of_wrong_file_is_refused() {
             good.replace(end, &(line(3) + end)),
             Unfit::Twice { address: 0x20 },
         ),
-        (end.to_owned(), Unfit::OtherChip),
+        (end.to_owned(), OTHER),
         // An ARM's flash.
         (
             record(&[2, 0, 0, 4, 8, 0]) + &record(&[2, 0, 0, 0, 1, 2]) + end,
-            Unfit::OtherChip,
+            OTHER,
         ),
     ];
     for (file, expected) in cases {
@@ -90,7 +92,7 @@ fn other_chips_are_told_by_their_vectors() {
     // 8515, 88, 644, 1284P, 32U4 and 2560: fewer, shorter or more.
     let short = [[0x33, 0xC0].repeat(26), code.repeat(30)].concat();
     for other in [table(17), short, table(28), table(35), table(43), table(57)] {
-        assert_eq!(read(&encode(&other)), Err(Unfit::OtherChip));
+        assert_eq!(read(&encode(&other)), Err(OTHER));
     }
 }
 
@@ -98,14 +100,28 @@ fn other_chips_are_told_by_their_vectors() {
 fn a_file_is_refused_where_the_board_has_no_room() {
     for model in Model::ALL {
         let room = model.room();
-        let image = Image::read(&hex(room), model).expect("it just fits");
+        let image = Image::read(&hex_of(model, room), model).expect("it just fits");
         assert_eq!(image.model(), model);
         let bytes = room + 1;
-        let refused = Image::read(&hex(bytes), model);
+        let refused = Image::read(&hex_of(model, bytes), model);
         assert_eq!(refused, Err(Unfit::TooLarge { bytes, model }));
     }
-    assert_eq!(Model::ALL.map(Model::room), [32_256, 30_720, 30_720]);
-    assert_eq!(Model::ALL.map(Model::rate), [115_200, 115_200, 57_600]);
+    let rooms = [32_256, 30_720, 30_720, 253_952];
+    assert_eq!(Model::ALL.map(Model::room), rooms);
+    let rates = [115_200, 115_200, 57_600, 115_200];
+    assert_eq!(Model::ALL.map(Model::rate), rates);
+}
+
+#[test]
+fn the_firmware_of_one_board_is_refused_for_the_other_before_anything_is_written() {
+    for [of, model] in [
+        [Model::Uno, Model::Mega],
+        [Model::Mega, Model::Uno],
+        [Model::Mega, Model::Nano],
+    ] {
+        let refused = Image::read(&hex_of(of, 1_000), model);
+        assert_eq!(refused, Err(Unfit::OtherChip { model }));
+    }
 }
 
 #[test]

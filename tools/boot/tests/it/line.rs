@@ -1,8 +1,8 @@
 //! A boot loader, and what may happen on the way to it.
 
-use crate::bench::{Bench, Fate, Way, image};
+use crate::bench::{Bench, Chip, Fate, Way, image, image_of};
 use std::time::Duration;
-use unoclp_boot::{Failure, Stage, Trouble, Writer};
+use unoclp_boot::{Failure, Model, Stage, Trouble, Writer};
 
 /// 3 pages and a bit.
 const SIZE: usize = 400;
@@ -26,15 +26,60 @@ fn an_image_is_written_compared_and_started() {
     }
 }
 
+/// Its boot loader erases pages in order alone: it is reset before the first page comes again.
+#[test]
+fn a_mega_is_written_by_its_own_protocol() {
+    for size in [230, 256, 257, 70_001, 253_952] {
+        let image = image_of(Model::Mega, size);
+        let mut bench = Bench::new(passes);
+        bench.chip = Chip::mega();
+        assert_eq!(bench.write(&image), Ok(()), "{size}");
+        assert_eq!(bench.chip.flash[..size], *image.bytes());
+        let end = size.next_multiple_of(256);
+        assert!(bench.chip.flash[size..end].iter().all(|&byte| byte == 0xFF));
+        assert!(
+            bench.chip.flash[0x3_E000..]
+                .iter()
+                .all(|&byte| byte == 0xA5)
+        );
+        assert!(bench.chip.started);
+        assert_eq!(bench.chip.resets, 2);
+    }
+}
+
+#[test]
+fn a_board_with_another_boot_loader_is_told_by_its_signature() {
+    for [own, model] in [[Model::Uno, Model::Mega], [Model::Mega, Model::Uno]] {
+        let mut bench = Bench::new(passes);
+        let signature = match own {
+            Model::Mega => {
+                bench.chip = Chip::mega();
+                [0x1E, 0x98, 0x01]
+            }
+            _ => [0x1E, 0x95, 0x0F],
+        };
+        let failure = bench.write(&image_of(model, SIZE)).unwrap_err();
+        let trouble = Trouble::OtherChip { signature, model };
+        let stage = Stage::Meeting;
+        assert_eq!(failure, Failure { trouble, stage });
+        assert!(bench.chip.flash.iter().all(|&byte| byte == 0xA5));
+    }
+}
+
 #[test]
 fn progress_never_goes_back() {
-    let mut bench = Bench::new(passes);
-    assert_eq!(bench.write(&image(SIZE)), Ok(()));
-    let seen = &bench.seen;
-    assert!(seen.is_sorted_by_key(|progress| (progress.stage, progress.done)));
-    assert_eq!(seen[0].stage, Stage::Meeting);
-    let last = seen.last().unwrap();
-    assert_eq!((last.stage, last.done), (Stage::Finishing, last.of));
+    for model in [Model::Uno, Model::Mega] {
+        let mut bench = Bench::new(passes);
+        if model == Model::Mega {
+            bench.chip = Chip::mega();
+        }
+        assert_eq!(bench.write(&image_of(model, SIZE)), Ok(()));
+        let seen = &bench.seen;
+        assert!(seen.is_sorted_by_key(|progress| (progress.stage, progress.done)));
+        assert_eq!(seen[0].stage, Stage::Meeting);
+        let last = seen.last().unwrap();
+        assert_eq!((last.stage, last.done), (Stage::Finishing, last.of));
+    }
 }
 
 #[test]
@@ -64,7 +109,11 @@ fn another_chip_is_left_as_it_is() {
     let mut bench = Bench::new(passes);
     bench.chip.signature = [0x1E, 0x98, 0x01];
     let failure = bench.write(&image(SIZE)).unwrap_err();
-    assert_eq!(failure.trouble, Trouble::OtherChip([0x1E, 0x98, 0x01]));
+    let trouble = Trouble::OtherChip {
+        signature: [0x1E, 0x98, 0x01],
+        model: Model::Uno,
+    };
+    assert_eq!(failure.trouble, trouble);
     assert!(bench.chip.flash.iter().all(|&byte| byte == 0xA5));
 }
 
@@ -77,7 +126,7 @@ fn flash_that_keeps_something_else_is_named_and_never_runs() {
     let written = image.bytes()[address];
     let failure = bench.write(&image).unwrap_err();
     let trouble = Trouble::Differs {
-        address: address as u16,
+        address: address as u32,
         written,
         read: written & 0x7F,
     };
@@ -104,7 +153,21 @@ fn the_boot_loader_is_called_again_where_the_first_reset_was_missed() {
 
 #[test]
 fn each_lost_or_changed_byte_is_told_and_the_next_try_works() {
-    let image = image(SIZE);
+    hit_each_byte(Model::Uno);
+}
+
+#[test]
+fn each_lost_or_changed_byte_is_told_by_a_mega_too() {
+    hit_each_byte(Model::Mega);
+}
+
+fn hit_each_byte(model: Model) {
+    let page = if model == Model::Mega { 256 } else { 128 };
+    let chip = || match model {
+        Model::Mega => Chip::mega(),
+        _ => Chip::new(),
+    };
+    let image = image_of(model, SIZE);
     let mut counter = (0, 0);
     let mut bench = Bench::new(|way| {
         match way {
@@ -113,6 +176,7 @@ fn each_lost_or_changed_byte_is_told_and_the_next_try_works() {
         }
         Fate::Passes
     });
+    bench.chip = chip();
     assert_eq!(bench.write(&image), Ok(()));
     let (out, back) = counter;
     assert!(out > 500 && back > 500, "{counter:?}");
@@ -124,6 +188,7 @@ fn each_lost_or_changed_byte_is_told_and_the_next_try_works() {
                 (true, 0) => Fate::Drops,
                 (true, bits) => Fate::Changes(bits),
             });
+            bench.chip = chip();
             let outcome = bench.write(&image);
             let is_whole = bench.chip.flash[..SIZE] == *image.bytes();
             match outcome {
@@ -132,7 +197,7 @@ fn each_lost_or_changed_byte_is_told_and_the_next_try_works() {
                     let is_untouched = bench.chip.flash.iter().all(|&byte| byte == 0xA5);
                     assert!(is_untouched || failure.stage > Stage::Meeting);
                     // What was written in part has no beginning.
-                    let begins = bench.chip.flash[..128] == image.bytes()[..128];
+                    let begins = bench.chip.flash[..page] == image.bytes()[..page];
                     assert!(!begins || failure.stage == Stage::Finishing);
                 }
             }

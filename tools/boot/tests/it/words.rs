@@ -11,7 +11,7 @@ fn all(lang: Lang) -> Vec<(u8, String)> {
         Unfit::Damaged { line: 3 },
         Unfit::CutShort,
         Unfit::Twice { address: 0x20 },
-        Unfit::OtherChip,
+        Unfit::OtherChip { model: Model::Uno },
         Unfit::TooLarge {
             bytes: 31_738,
             model: Model::Nano,
@@ -20,7 +20,10 @@ fn all(lang: Lang) -> Vec<(u8, String)> {
     let troubles = [
         Trouble::Silent,
         Trouble::Foreign,
-        Trouble::OtherChip([0x1E, 0x98, 0x01]),
+        Trouble::OtherChip {
+            signature: [0x1E, 0x98, 0x01],
+            model: Model::Uno,
+        },
         Trouble::BrokenOff,
         Trouble::Garbled,
         Trouble::Differs {

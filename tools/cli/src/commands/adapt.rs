@@ -18,7 +18,7 @@ pub fn adapt(path: &Path, output: Option<&Path>, wording: &Wording) -> Outcome {
     let Some(adapted) = adapted else {
         bail!(messages::not_adapted(name))
     };
-    let board = wording.board.name;
+    let board = wording.board().name;
     if adapted.moved.is_empty() && adapted.left.is_empty() {
         eprintln!("{name}: {}", messages::nothing_to_adapt(board));
         return Ok(true);

@@ -23,7 +23,7 @@ pub struct Firmware {
     /// The serial port: /dev/ttyACM0, /dev/ttyUSB0, COM3 …
     #[arg(long)]
     port: String,
-    /// The board; nano-old is a Nano with the boot loader that it had until 2018
+    /// The board; nano-old is a Nano with the boot loader that it had until 2018, mega a Mega 2560
     #[arg(long, value_name = "BOARD", default_value = "uno", value_parser = models())]
     board: Model,
 }
@@ -32,7 +32,8 @@ pub struct Firmware {
 const fn tested(board: Model) -> &'static [u8] {
     match board.firmware() {
         Model::Uno => include_bytes!("../../../../firmware/unoclp-uno.hex"),
-        _ => include_bytes!("../../../../firmware/unoclp-nano.hex"),
+        Model::Mega => include_bytes!("../../../../firmware/unoclp-mega.hex"),
+        Model::Nano | Model::NanoOld => include_bytes!("../../../../firmware/unoclp-nano.hex"),
     }
 }
 

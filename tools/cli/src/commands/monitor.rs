@@ -36,7 +36,7 @@ pub fn monitor(
         bail!(messages::needs_terminal());
     }
     let scope = program.as_ref().map(Program::scope).unwrap_or_default();
-    let app = App::new(place.to_string(), wording.board, program, end_forcing);
+    let app = App::new(place.to_string(), wording.board(), program, end_forcing);
     let (wish, news) = watch(place, Patience::default(), scope, end_forcing);
     let forced = run(app, &wish, &news)?;
     if forced.any() {

@@ -101,7 +101,7 @@ pub fn check_written(
         }) => {
             let all = lang::show(&name, &text, &diagnostics, messages::spoken(), &renderer());
             let count = count(&diagnostics);
-            let board = wording.board.name;
+            let board = wording.board().name;
             let again = wording.of(name.clone(), text.clone().into_bytes());
             let adapt = moved(&again).map(|moved| messages::can_be_adapted(&name, moved, board));
             let adapt = adapt.map(|words| format!("\n{words}")).unwrap_or_default();

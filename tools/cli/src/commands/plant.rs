@@ -96,7 +96,7 @@ pub(super) fn machine(path: &Path, board: Board) -> anyhow::Result<Option<Plant>
 }
 
 fn check(path: &Path, wording: &Wording) -> Outcome {
-    let Some(plant) = machine(path, wording.board)? else {
+    let Some(plant) = machine(path, wording.board())? else {
         return Ok(false);
     };
     let lang = messages::spoken();
@@ -118,7 +118,7 @@ fn check(path: &Path, wording: &Wording) -> Outcome {
 }
 
 fn draw(path: &Path, svg: &Path, over: Over, wording: &Wording) -> Outcome {
-    let Some(plant) = machine(path, wording.board)? else {
+    let Some(plant) = machine(path, wording.board())? else {
         return Ok(false);
     };
     let run = Run::new(&plant, plant.seed);
@@ -173,13 +173,13 @@ pub fn drive(
     let Some(path) = machine_of.plant() else {
         bail!(messages::nothing_to_simulate());
     };
-    let Some(plant) = machine(path, wording.board)? else {
+    let Some(plant) = machine(path, wording.board())? else {
         return Ok(false);
     };
     let Some(source) = open(program, wording, Shown::Here)? else {
         return Ok(false);
     };
-    if plant.board == Board::PC && wording.board != Board::PC {
+    if plant.board == Board::PC && wording.board() != Board::PC {
         bail!(messages::plant_board(shown(path), plant.board.id()));
     }
     let inputs = [program, path];
@@ -197,7 +197,7 @@ pub fn drive(
         may_write(gif, Kind::Film, &inputs, over)?;
     }
     let seed = machine_of.seed.map_or(plant.seed, u64::from);
-    let engine = &mut HostEngine::new(wording.board);
+    let engine = &mut HostEngine::new(wording.board());
     let mut film = machine_of.gif.as_ref().map(|_| film::Film::new());
     let mut failed = None;
     let every = film::every(to - from);

@@ -58,7 +58,7 @@ pub struct Run<'a> {
 /// Runs a scenario.
 pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
     let wrong = |error: LoadError| anyhow!(error.text(messages::spoken()));
-    let exercise = Exercise::load(path, wording.board).map_err(wrong)?;
+    let exercise = Exercise::load(path, wording.board()).map_err(wrong)?;
     let named = exercise.program.as_deref();
     let program = match (run.program, named) {
         (Some(program), _) => Some(program),
@@ -68,7 +68,7 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
     };
     let mut source = None;
     let mut scenarios = match program {
-        None => Scenario::load_all(path, wording.board).map_err(wrong)?,
+        None => Scenario::load_all(path, wording.board()).map_err(wrong)?,
         Some(program) => {
             let ProgramFile { name, bytes } = read(program)?;
             let written = wording.of(name.clone(), bytes.clone());
@@ -103,14 +103,14 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
             let names = source.as_ref().map(point_names).unwrap_or_default();
             let draft = Draft::new(vcd, Kind::Trace, &inputs, run.over)?;
             let recorder = Recorder::new(trace(&draft, vcd)?).with_names(names);
-            let mut engine = RecordedEngine::new(recorder, wording.board);
+            let mut engine = RecordedEngine::new(recorder, wording.board());
             let report = check(scenario, &mut engine);
             engine.finish().map_err(cannot_write(vcd))?;
             draft.finish()?;
             vec![report]
         }
         (_, all) => {
-            let engine = &mut HostEngine::new(wording.board);
+            let engine = &mut HostEngine::new(wording.board());
             all.iter().map(|scenario| check(scenario, engine)).collect()
         }
     };
@@ -119,7 +119,7 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
             println!();
         }
         println!("{}", ascii::picture(&report.text(messages::spoken())));
-        stopped_at(report, &scenarios[index], source.as_ref(), wording.board);
+        stopped_at(report, &scenarios[index], source.as_ref(), wording.board());
     }
     if let Some(svg) = run.svg {
         let runs = scenarios.iter().zip(&reports);

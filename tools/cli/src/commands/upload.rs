@@ -2,7 +2,7 @@
 
 use super::interrupt::{Interrupt, Interrupted};
 use super::meet;
-use super::open::{Shown, faulty, open, running};
+use super::open::{Shown, check_written, faulty, read, running};
 use super::progress::{hide, show};
 use super::wording::Wording;
 use crate::messages;
@@ -19,6 +19,8 @@ use unoclp_client::order::Undone;
 use unoclp_client::session::Event;
 use unoclp_client::upload::{self, Behind, Broken, FIRST_SCANS, Progress, end};
 use unoclp_client::watch::Forced;
+use unoclp_core::Board;
+use unoclp_exercise::scenario::ProgramFile;
 use unoclp_program::{Source, not_sent};
 
 /// How the board is left.
@@ -34,15 +36,44 @@ pub struct Leave {
 
 /// Checks a program, and puts it on a board.
 pub fn upload(path: &Path, place: &Place, leave: &Leave, wording: &Wording) -> Outcome {
-    let Some(program) = open(path, wording, Shown::Here)? else {
+    let ProgramFile { name, bytes } = read(path)?;
+    let written = |wording: &Wording| wording.of(name.clone(), bytes.clone());
+    let is_right = |wording: &Wording| written(wording).check(wording.dialect).is_ok();
+    let mut wording = wording.clone();
+    let mut met = None;
+    // A program that is too much for an UNO may be right for the board that is there.
+    let mut others = Board::ALL.into_iter().filter(Board::has_firmware);
+    if !wording.names_board()
+        && !is_right(&wording)
+        && others.any(|board| is_right(&wording.on(board)))
+    {
+        let port = meet(place)?;
+        wording = wording.on(port.board());
+        met = Some(port);
+    }
+    let Some(mut program) = check_written(written(&wording), &wording, Shown::Here)? else {
         return Ok(false);
     };
     if let Some(why) = not_sent(&program, messages::spoken()) {
         bail!("{}: {why}", program.name);
     }
     say!("{}: OK: {}", program.name, messages::size(&program.size));
+    let port = match met {
+        Some(port) => port,
+        None => meet(place)?,
+    };
+    if port.board() != wording.board() {
+        wording = wording.on(port.board());
+        match check_written(written(&wording), &wording, Shown::Here)? {
+            Some(again) => {
+                program = again;
+                say!("{}: OK: {}", program.name, messages::size(&program.size));
+            }
+            None => bail!(messages::not_for(port.board().name)),
+        }
+    }
     let mut upload = Upload {
-        port: meet(place)?,
+        port,
         interrupt: Interrupt::new()?,
         program,
         stored: Cell::new(None),

@@ -8,7 +8,7 @@ use unoclp_lang::{Dialect, Lang};
 use unoclp_program::{Language, Written, WrittenIn};
 
 /// How to read a program.
-#[derive(Args)]
+#[derive(Args, Clone)]
 pub struct Wording {
     /// Whose Instruction List it is; else what its words look like
     #[arg(long, value_parser = dialects())]
@@ -16,9 +16,10 @@ pub struct Wording {
     /// The language of the program; else what its name and its words tell
     #[arg(long, value_parser = languages())]
     pub(super) language: Option<WrittenIn>,
-    /// The board that it is for: a Nano has no REAL numbers, a PC has 99 of each point
-    #[arg(long, value_name = "BOARD", default_value = "uno", value_parser = boards())]
-    pub(super) board: Board,
+    /// The board that it is for, if it is not the board that is met, or else an UNO: a Nano has no REAL numbers, a Mega has
+    /// more of all, a PC has 99 of each point
+    #[arg(long, value_name = "BOARD", value_parser = boards())]
+    board: Option<Board>,
 }
 
 fn languages() -> impl TypedValueParser<Value = WrittenIn> {
@@ -49,9 +50,27 @@ fn dialects() -> impl TypedValueParser<Value = Dialect> {
 }
 
 impl Wording {
+    /// The board that it is for.
+    pub fn board(&self) -> Board {
+        self.board.unwrap_or(Board::UNO)
+    }
+
+    /// Whether somebody has said which.
+    pub fn names_board(&self) -> bool {
+        self.board.is_some()
+    }
+
+    /// The same for this board.
+    pub fn on(&self, board: Board) -> Wording {
+        Wording {
+            board: Some(board),
+            ..self.clone()
+        }
+    }
+
     /// A file of this name, in the language that it is said to be in or else shows.
     pub fn of(&self, name: String, bytes: Vec<u8>) -> Written {
-        Written::new(name, bytes, self.board).or_in(self.language)
+        Written::new(name, bytes, self.board()).or_in(self.language)
     }
 
     /// What a text was taken to be; nothing of numeric code.

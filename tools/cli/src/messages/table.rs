@@ -244,6 +244,9 @@ unoclp_words::messages! {
         "os comandos estão bloqueados: faça o reset da placa para ela usar esses ajustes";
     restarting(settings) "{settings}; restarting" "{settings}; reiniciando";
     answers_from(line) "it answers from {line}" "ela responde: {line}";
+    not_for(board)
+        "the {board} at the port does not have all that the program needs; nothing was sent"
+        "a placa {board} na porta não tem tudo o que o programa usa; nada foi enviado";
     met(identity, port, address)
         "{identity} at {port}, address {address}"
         "{identity} em {port}, endereço {address}";

@@ -29,9 +29,9 @@ pub struct App {
     /// What the person should know, until the next key.
     pub(super) said: Option<String>,
     /// Outputs that are lit since they were let go, and that no rung is known to write; bit 0 is output 01.
-    pub(super) lingering: u16,
+    pub(super) lingering: u32,
     /// Outputs that were let go here since the last reading.
-    let_go: u16,
+    let_go: u32,
     /// What was asked of the forces since the last reading: the next one may have begun before that.
     is_asked: bool,
     /// The seconds without a request after which the board is to end what is forced here.
@@ -98,6 +98,7 @@ impl App {
                 may_be_reset,
             } => {
                 self.identity = identity.to_string();
+                self.board = identity.board().unwrap_or(self.board);
                 if may_be_reset {
                     self.said = Some(messages::said_reset());
                 }
@@ -144,7 +145,7 @@ impl App {
         let let_go = before.forced_outputs.points | std::mem::take(&mut self.let_go);
         let unwritten = match &self.program {
             Some(program) if !self.differs() => !program.written,
-            _ => u16::MAX,
+            _ => u32::MAX,
         };
         let free = !now.forced_outputs.points;
         self.lingering = (self.lingering | let_go) & unwritten & free & now.outputs;

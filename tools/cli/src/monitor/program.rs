@@ -29,7 +29,7 @@ pub struct Program {
     /// Does what the board does, to show which of its rungs are energised: a board tells its points only.
     twin: Twin,
     /// The outputs that it writes, bit 0 output 01.
-    pub(super) written: u16,
+    pub(super) written: u32,
     /// What it uses of the board.
     pub(super) used: Used,
     /// Its variables, if its language declares them.

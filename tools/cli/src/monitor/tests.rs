@@ -437,8 +437,8 @@ fn what_is_energised_is_what_the_boards_own_scan_has_made_so() {
                 uptime: now,
                 ..Diagnostics::default()
             },
-            inputs: inputs.0 as u16,
-            outputs: outputs.0 as u16,
+            inputs: inputs.0 as u32,
+            outputs: outputs.0 as u32,
             markers: Some(plc.markers() as u64),
             registers: plc.registers().to_vec(),
             timers: plc

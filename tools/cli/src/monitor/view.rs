@@ -185,7 +185,7 @@ fn outputs_title(app: &App) -> String {
 }
 
 /// ` I1● start  I2○!stop`
-fn lamps(app: &App, letter: char, count: u8, image: u16, forces: Forces) -> Lamps {
+fn lamps(app: &App, letter: char, count: u8, image: u32, forces: Forces) -> Lamps {
     let program = app.program.as_ref().filter(|_| !app.differs());
     let lamp = |index: u8| {
         let point = format!("{letter}{}", index + 1);

@@ -183,7 +183,7 @@ fn a_fault_that_the_board_finds_is_shown_as_check_does() {
 
 #[test]
 fn a_program_with_a_fault_does_not_reach_the_board() {
-    let program = file("faulty-upload.txt", "0\n827309\n");
+    let program = file("faulty-upload.txt", "0\n827333\n");
     for command in ["upload", "monitor"] {
         let (code, out, err) = unoclp(&[command, &program, "--port", "/dev/no-such-port"]);
         assert_eq!((code, err.as_str()), (1, ""));

@@ -234,7 +234,7 @@ fn what_cannot_be_compiled_is_exit_code_2_and_says_why() {
 
 #[test]
 fn faults_of_the_text_keep_it_from_a_board() {
-    let wrong = file("wrong-upload.il", WRONG);
+    let wrong = file("wrong-upload.il", "LD I1\nAND I99\nST Q1\n");
     let (code, out, _) = outcome(&["upload", &wrong, "--port", "no-such"]);
     assert_eq!(code, 1);
     assert!(out.contains("error[IL-"), "{out}");

@@ -1,18 +1,30 @@
 //! What the tests on the firmware share.
 
+pub mod alike;
+pub mod cases;
 pub mod line;
 pub mod modbus;
 pub mod state;
 
 use std::path::{Path, PathBuf};
 use unoclp_card::image::{Fat, Image};
+use unoclp_core::Board;
 use unoclp_uno_sim::sd::{Kind, SdCard};
-use unoclp_uno_sim::{CYCLES_PER_MS, Program, Slot, Uno, firmware_file};
+use unoclp_uno_sim::{CYCLES_PER_MS, Program, Slot, Uno, firmware_file, mega_file};
 
 /// The firmware under test.
 pub fn firmware() -> Program {
-    let elf = firmware_file().unwrap_or_else(|error| panic!("{error}"));
+    let elf = match crate::BOARD == Board::MEGA {
+        true => mega_file(),
+        false => firmware_file(),
+    };
+    let elf = elf.unwrap_or_else(|error| panic!("{error}"));
     Program::read(&elf).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Where in the EEPROM of the board that stands which stands here on an UNO, after the program: there is more room for one.
+pub fn place(on_uno: u16) -> u16 {
+    on_uno + crate::BOARD.stored_bytes - Board::UNO.stored_bytes
 }
 
 /// All scenario files in these folders of the project, in order.
@@ -73,7 +85,8 @@ pub fn uno(slot: Slot) -> Uno {
 /// port said.
 pub fn ms_until(uno: &mut Uno, texts: &[&str]) -> (u64, String) {
     let begun = uno.cycles();
-    for _ in 0..8000 {
+    // Each byte of a program takes a while to be kept.
+    for _ in 0..9 * u32::from(crate::BOARD.stored_bytes) {
         uno.run_ms(1).unwrap();
         if texts.iter().any(|text| uno.serial().contains(text)) {
             let said = String::from_utf8(uno.take_serial()).unwrap();

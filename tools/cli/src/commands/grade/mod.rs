@@ -59,7 +59,7 @@ pub struct Class {
 /// Grades the programs of a class.
 pub fn grade(class: &Class) -> Outcome {
     let wording = &class.wording;
-    let Some(course) = Course::load(&class.exercise, wording.board)? else {
+    let Some(course) = Course::load(&class.exercise, wording.board())? else {
         return Ok(false);
     };
     let found = files::find(&class.files)?;

@@ -1,23 +1,17 @@
 //! The firmware of the Mega 2560 on simavr.
 
-use crate::lockstep::{Counts, alike};
+use crate::common::alike::{Counts, alike};
+use crate::common::firmware;
 use unoclp_checked::Checked;
 use unoclp_core::{Board, Inputs};
 use unoclp_host_sim::engine::{Engine, HostEngine};
 use unoclp_host_sim::random::{Random, random_program_on};
 use unoclp_testing::rounds;
 use unoclp_uno_sim::engine::{Clock, UnoEngine};
-use unoclp_uno_sim::{Chip, Program, mega_file};
 
 const PROGRAMS: u32 = 600;
 const LEAST_PROGRAMS: u32 = 150;
 const SEED: u64 = 0x2560;
-
-fn firmware() -> Program {
-    let program = Program::read(&mega_file().unwrap()).unwrap();
-    assert_eq!(program.chip(), Chip::Atmega2560);
-    program
-}
 
 /// Random programs up to full size, with all of its points, on the core and on the firmware.
 #[test]

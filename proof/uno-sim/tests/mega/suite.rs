@@ -1,0 +1,48 @@
+//! Every scenario of the project on the firmware of the Mega: what the UNO has too runs as there.
+
+use crate::BOARD;
+use crate::common::cases::{Of, every_scenario, first_fault};
+use crate::common::firmware;
+use unoclp_core::Board;
+use unoclp_exercise::scenario::check;
+use unoclp_host_sim::engine::{Engine, HostEngine, Refusal};
+use unoclp_uno_sim::engine::{Clock, UnoEngine};
+
+/// What scenarios say of the UNO alone: there inputs 05 to 08 read as 0 where no code names them.
+const OF_AN_UNO: [&str; 1] = ["load-inputs.toml"];
+
+/// Where a program is too much for an UNO and not for a Mega, or asks for a point that only this has, it is accepted as the
+/// core accepts it.
+#[test]
+fn every_scenario_in_lockstep() {
+    let mut mega = UnoEngine::new(firmware(), Clock::Lockstep).unwrap();
+    let (mut passed, mut other, mut failed) = (0, 0, Vec::new());
+    for (path, scenario) in every_scenario(&["programs", "proof/suite"], Of::Each) {
+        let program = &scenario.program().bytes;
+        let [uno, here] = [Board::UNO, BOARD].map(|board| first_fault(program, board));
+        if uno != here {
+            let told = mega.load(program).unwrap().err();
+            assert_eq!(told, here.map(Refusal::from), "{}", path.display());
+            other += 1;
+            continue;
+        }
+        let report = check(&scenario, &mut mega);
+        if report.passed() {
+            passed += 1;
+            continue;
+        }
+        let core = check(&scenario, &mut HostEngine::new(BOARD));
+        let is_of_an_uno = OF_AN_UNO.iter().any(|name| path.ends_with(name));
+        if is_of_an_uno && core.to_string() == report.to_string() {
+            other += 1;
+        } else {
+            failed.push(report.to_string());
+        }
+    }
+    println!(
+        "{passed} scenarios passed, {other} are of an UNO, {} failed",
+        failed.len()
+    );
+    assert!(failed.is_empty(), "{}", failed.join("\n\n"));
+    assert!(passed > 10 * other && other > 0);
+}
