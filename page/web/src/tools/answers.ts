@@ -87,6 +87,13 @@ export interface Case {
   readonly hidden: boolean;
 }
 
+/** A change of a text. */
+export interface Change {
+  readonly from: number;
+  readonly to: number;
+  readonly insert: string;
+}
+
 /** A chart. */
 export interface ChartDrawn {
   /** The unit that it is the body of. */
@@ -217,23 +224,6 @@ export interface Field {
   readonly kind: "point" | "value" | "number" | "name";
 }
 
-/** A step of it. */
-export interface FlashStep {
-  /** First reset the board, and throw away what has come before. */
-  readonly reset: boolean;
-  /** Then send this. */
-  readonly send: readonly number[];
-  /** The next step comes at this time, in whole ms, or as soon as bytes have come. */
-  readonly until: number;
-  readonly stage: "meeting" | "writing" | "comparing" | "finishing";
-  /** So many requests of so many have been answered. */
-  readonly progress: readonly [number, number];
-  /** Whether it is over. */
-  readonly over: boolean;
-  /** Why the firmware is not on the board. */
-  readonly failure: Both | null;
-}
-
 /** A program that is to be written in another language. */
 export interface GivenProgram {
   readonly text: string;
@@ -261,6 +251,8 @@ export interface Hand {
 export interface LadderDrawn {
   /** The element. */
   readonly svg: string;
+  /** Whether it is the code of a compiler, which no person would draw. */
+  readonly code: boolean;
 }
 
 /** What is shown live. */
@@ -330,6 +322,22 @@ export interface Made {
   readonly lacking: Both | null;
 }
 
+/** What a word stands for. */
+export interface Meant {
+  readonly from: number;
+  readonly to: number;
+  readonly head: string;
+  readonly lines: readonly string[];
+  /** The variable or point whose live value it is. */
+  readonly value: string | null;
+}
+
+/** A way to mend a mistake. */
+export interface Mended {
+  readonly title: string;
+  readonly changes: readonly Change[];
+}
+
 /** A mistake. */
 export interface Mistake {
   readonly at: number | null;
@@ -358,6 +366,8 @@ export type News =
   | { readonly news: "sent"; readonly order: number; readonly bytes: number; readonly of: number }
   /** The board stores what was uploaded. */
   | { readonly news: "storing"; readonly order: number }
+  /** So many requests of so many have been answered on the way of a firmware. */
+  | { readonly news: "flashing"; readonly order: number; readonly done: number; readonly of: number }
   /** What the board keeps since an upload. */
   | ({ readonly news: "stored" } & Stored)
   /** The program that the board keeps, as numeric code. */
@@ -368,6 +378,23 @@ export type News =
   | { readonly news: "done"; readonly order: number; readonly said: Both | null }
   /** Something ordered was not done, and why. */
   | { readonly news: "undone"; readonly order: number; readonly why: Both };
+
+/** Something that may stand there. */
+export interface Offer {
+  readonly label: string;
+  readonly kind: "variable" | "property" | "function" | "type" | "enum" | "constant" | "keyword";
+  /** Its type, or what it takes. */
+  readonly detail: string;
+  /** What is written, where that is not the label. */
+  readonly insert: string | null;
+}
+
+/** What may stand at a place. */
+export interface Offers {
+  /** Where the word begins that is written there, units of UTF-16 from the beginning of the text. */
+  readonly from: number;
+  readonly offers: readonly Offer[];
+}
 
 /** What came of a check. */
 export interface Outcome {
@@ -532,7 +559,13 @@ export interface Size {
 
 /** A step of a conversation. */
 export interface Step {
-  /** To be sent now. */
+  /** How bytes are sent from now on, bits per second, */
+  readonly rate: number;
+  /** and 0 without parity, 1 even, 2 odd. */
+  readonly parity: number;
+  /** First reset the board, and throw away what has come before. */
+  readonly reset: boolean;
+  /** Then send this. */
   readonly send: readonly number[];
   /** The next step comes at this time, in whole ms, or as soon as bytes have come or something is ordered. */
   readonly until: number;
@@ -562,6 +595,16 @@ export interface Unmet {
   /** ms after the first scan. */
   readonly from: number;
   readonly to: number;
+}
+
+/** A place at which a name is used. */
+export interface UsedAt {
+  /** From 1. */
+  readonly line: number;
+  readonly from: number;
+  readonly to: number;
+  readonly declares: boolean;
+  readonly writes: boolean;
 }
 
 /** The numbers that it names. */

@@ -1,7 +1,90 @@
 // What may be asked of Rust, and what it answers. Made of page/bridge/src/ask/table.rs: do not edit it; the test of
 // page/bridge/src/ask/contract.rs writes it where UPDATE=1 is set.
 
-import type { Act, Adapted, As, BoardFacts, CardImage, Charted, Checked, Drawn, Fared, FlashStep, LadderDrawn, MachineFacts, MachineLook, Order, Outcome, Replayed, Searched, Sheet, Shelf, Speak, Step, Text } from "./answers";
+import type { Adapted, BoardFacts, CardImage, Change, Charted, Checked, Drawn, Fared, LadderDrawn, MachineFacts, MachineLook, Meant, Mended, Offers, Order, Outcome, Replayed, Searched, Settings, Sheet, Shelf, Step, Text, UsedAt } from "./answers";
+
+export type Place = "before" | "behind" | "beside";
+
+export type Along = "back" | "forth";
+
+export type Direction = "left" | "right" | "up" | "down";
+
+export type Coil = "normal" | "negated" | "set" | "reset" | "load";
+
+export type Edge = "rising" | "falling";
+
+export type As = "ladder" | "il" | "st" | "numeric" | "svg" | "xml";
+
+export type DrawnAs = "numeric" | "il";
+
+export type Speak = "en" | "pt";
+
+/** What may be done to a drawing. */
+export type Act =
+  | { readonly do: "undo" }
+  | { readonly do: "redo" }
+  /** Selects what stands around the cursor. */
+  | { readonly do: "out" }
+  | { readonly do: "move"; readonly to: Direction }
+  | { readonly do: "select"; readonly from: number; readonly to: number }
+  | { readonly do: "extend"; readonly along: Along }
+  /** Inserts an element of the palette at the cursor. */
+  | { readonly do: "insert"; readonly what: string; readonly place: Place }
+  /** Inserts it at something else. */
+  | { readonly do: "put"; readonly what: string; readonly at: number; readonly place: Place }
+  | { readonly do: "branch" }
+  | { readonly do: "stretch"; readonly along: Along; readonly out: boolean }
+  | { readonly do: "delete" }
+  | { readonly do: "copy" }
+  | { readonly do: "cut" }
+  | { readonly do: "paste"; readonly place: Place }
+  | { readonly do: "carry"; readonly at: number; readonly place: Place }
+  | { readonly do: "toggle" }
+  | { readonly do: "edge"; readonly edge: Edge | null }
+  | { readonly do: "coil"; readonly coil: Coil }
+  | { readonly do: "insertRung"; readonly along: Along }
+  | { readonly do: "moveRung"; readonly along: Along }
+  | { readonly do: "split" }
+  | { readonly do: "join" }
+  /** Changes the fields of the element at the cursor; a person who is sure is not asked. */
+  | { readonly do: "edit"; readonly fields: readonly { readonly key: string; readonly value: string }[]; readonly sure?: boolean | undefined }
+  /** Says what a point is called and what it is for; likewise. */
+  | { readonly do: "name"; readonly point: string; readonly name: string; readonly comment: string; readonly sure?: boolean | undefined }
+  | { readonly do: "comment"; readonly text: string }
+  | { readonly do: "title"; readonly text: string }
+  /** Another text in place of this one. */
+  | { readonly do: "text"; readonly name: string; readonly text: string };
+
+/** What may be ordered of a board. */
+export type OrderGiven =
+  /** RUN, from the beginning. */
+  | { readonly do: "run" }
+  | { readonly do: "stop" }
+  /** One single scan; a board in RUN stops for it. */
+  | { readonly do: "scan" }
+  /** The whole start-up again. */
+  | { readonly do: "restart" }
+  /** Lets all points go. */
+  | { readonly do: "release" }
+  /** Tells the program that the board keeps, as numeric code. */
+  | { readonly do: "fetch" }
+  /** Tells the settings. */
+  | { readonly do: "settings" }
+  /** Forces an input or output, from 1, or lets it go. */
+  | { readonly do: "force"; readonly output: boolean; readonly number: number; readonly to: boolean | null }
+  /** Of what this computer runs alone: a board has contacts and knobs of its own. */
+  | { readonly do: "press"; readonly input: number; readonly closed: boolean }
+  | { readonly do: "turn"; readonly input: number; readonly reading: number }
+  /** Sets an output, a marker, a register or a preset once. */
+  | { readonly do: "set"; readonly point: string; readonly value: number }
+  /** Puts this program on the board, and watches it from then on. It runs then, unless it stays in STOP. */
+  | { readonly do: "upload"; readonly version: number; readonly stay?: boolean | undefined }
+  /** Watches this program from now on; it is said to be on the board. */
+  | { readonly do: "watch"; readonly version: number }
+  /** Changes the settings: the lock holds at once, all else from the next start on. */
+  | { readonly do: "settle"; readonly settings: Settings }
+  /** Writes a firmware, as Intel hex, by the boot loader of this kind of board. */
+  | { readonly do: "flash"; readonly hex: string; readonly model: string };
 
 export interface Asks {
   /** What a board has: each limit of its points and its memory, so that a page needs to know none. */
@@ -10,8 +93,8 @@ export interface Asks {
   text: { ask: { readonly name: string; readonly text: string; readonly board?: string | undefined }; answer: number };
   /** What there is to say of a text: its problems, or its program. */
   check: { ask: { readonly version: number }; answer: Checked };
-  /** Its ladder, for a page that shows it live, in so many columns where that is enough. */
-  ladder: { ask: { readonly version: number; readonly width: number; readonly speak?: Speak | undefined }; answer: LadderDrawn };
+  /** Its ladder, for a page that shows it live, in so many columns where that is enough; or the same as a block diagram. */
+  ladder: { ask: { readonly version: number; readonly width: number; readonly isBlocks?: boolean | undefined; readonly speak?: Speak | undefined }; answer: LadderDrawn };
   /** A conversation with a board, which is said to run this text; `core`: this computer runs its programs, and there is no line. */
   open: { ask: { readonly version: number | null; readonly reset: boolean; readonly core?: boolean | undefined; readonly board?: string | undefined; readonly address?: number | undefined; readonly rate?: number | undefined; readonly parity?: number | undefined }; answer: number };
   /** A step of it: what has come since the last one, at this time in ms since any moment. */
@@ -62,22 +145,28 @@ export interface Asks {
   machineReset: { ask: object; answer: null };
   /** There is none any longer. */
   machineClose: { ask: object; answer: null };
-  /** Firmware for a board, as Intel hex; the answer is the rate of its boot loader. */
-  flash: { ask: { readonly hex: string; readonly model: string }; answer: number };
-  /** A step of that. */
-  flashStep: { ask: { readonly now: number; readonly came: readonly number[] }; answer: FlashStep };
-  /** The line is gone meanwhile, and why. */
-  flashLose: { ask: { readonly why: string }; answer: null };
   /** The elements that can be drawn. */
   palette: { ask: object; answer: readonly Shelf[] };
-  /** A drawing, of a text and what was done to it; `name`: what its file is called now. */
-  draw: { ask: { readonly base: Text; readonly log: readonly Act[]; readonly name?: string | undefined; readonly board?: string | undefined; readonly width: number; readonly speak?: Speak | undefined }; answer: Drawn };
+  /** A drawing, of a text and what was done to it; `name`: what its file is called now; `isBlocks`: as a block diagram. */
+  draw: { ask: { readonly base: Text; readonly log: readonly Act[]; readonly name?: string | undefined; readonly board?: string | undefined; readonly width: number; readonly isBlocks?: boolean | undefined; readonly speak?: Speak | undefined }; answer: Drawn };
   /** Something done to it; what a page shows of it then. */
-  edit: { ask: { readonly act: Act | null; readonly name?: string | undefined; readonly board?: string | undefined; readonly width: number; readonly speak?: Speak | undefined }; answer: Drawn };
+  edit: { ask: { readonly act: Act | null; readonly name?: string | undefined; readonly board?: string | undefined; readonly width: number; readonly isBlocks?: boolean | undefined; readonly speak?: Speak | undefined }; answer: Drawn };
   /** Its text in another form. */
-  drawn: { ask: { readonly as: string }; answer: string };
+  drawn: { ask: { readonly as: DrawnAs }; answer: string };
   /** What of it has these words in it. */
   find: { ask: { readonly words: string }; answer: readonly number[] };
+  /** What may stand at a place of a text, in units of UTF-16 from its beginning. */
+  complete: { ask: { readonly version: number; readonly at: number; readonly speak?: Speak | undefined }; answer: Offers };
+  /** What stands there; null where nothing is known of it. */
+  meant: { ask: { readonly version: number; readonly at: number; readonly speak?: Speak | undefined }; answer: Meant | null };
+  /** Where that is used, its declaration among them. */
+  uses: { ask: { readonly version: number; readonly at: number }; answer: readonly UsedAt[] };
+  /** What gives the name there another. */
+  rename: { ask: { readonly version: number; readonly at: number; readonly to: string }; answer: readonly Change[] };
+  /** What places the words of a text well. */
+  form: { ask: { readonly version: number }; answer: readonly Change[] };
+  /** What can be done about the mistakes between two places. */
+  remedies: { ask: { readonly version: number; readonly from: number; readonly to: number; readonly speak?: Speak | undefined }; answer: readonly Mended[] };
   /** Its charts, in the look of IEC 61131-3 or of GRAFCET; `what` is done `at` a part of one of them, and gives another text. */
   chart: { ask: { readonly version: number; readonly look?: string | undefined; readonly chart: number; readonly what?: string | undefined; readonly at?: string | undefined; readonly say?: string | undefined; readonly qualifier?: string | undefined; readonly time?: string | undefined }; answer: Charted };
 }
