@@ -27,10 +27,21 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
         let path = entry.unwrap().path();
         if path.is_dir() {
             sources(&path, found);
-        } else if path.extension().is_some_and(|end| end == "rs") && !path.ends_with("tests.rs") {
+        } else if path.extension().is_some_and(|end| end == "rs")
+            && !path.ends_with("tests.rs")
+            && !is_test(&path)
+        {
             found.push(path);
         }
     }
+}
+
+/// Whether the module in this file is compiled for tests alone.
+fn is_test(path: &Path) -> bool {
+    let name = path.file_stem().unwrap().to_string_lossy();
+    let door = path.with_file_name("mod.rs");
+    let says = format!("#[cfg(test)]\nmod {name};");
+    fs::read_to_string(door).is_ok_and(|text| text.contains(&says))
 }
 
 /// The lines of a file before its tests, without its comments.

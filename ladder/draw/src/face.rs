@@ -1,7 +1,8 @@
 //! How an element looks in characters.
 
 use crate::pins::Pins;
-use crate::{Element, Medium, Names, Symbol};
+use crate::style::Medium;
+use crate::{Element, Names, Symbol};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// The longest name that is shown whole, in columns.

@@ -53,6 +53,7 @@ mod listing;
 mod pins;
 mod power;
 mod stores;
+mod style;
 mod svg_page;
 mod symbols;
 mod tree;
@@ -62,12 +63,13 @@ mod wrap;
 
 pub use block::Cell;
 pub use blocks::Look;
-pub use drawing::{Drawing, Medium, NARROWEST, Picture, Style};
+pub use drawing::{Drawing, Picture};
 pub use element::{Element, Symbol};
 pub use ladder::{Ladder, Rung};
 pub use listing::{Title, listing};
 pub use pins::time;
 pub use power::{Net, Nets, Power};
+pub use style::{Medium, NARROWEST, Style};
 pub use svg_page::{Area, Paper, Report, to_blocks, to_report, to_screen, to_svg};
 pub use words::picture;
 

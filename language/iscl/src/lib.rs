@@ -40,11 +40,6 @@ pub fn vocabulary() -> Vec<&'static str> {
     Word::WORDS.iter().map(|(word, _)| *word).collect()
 }
 
-/// Whether it begins like a name.
-fn is_name(word: &str) -> bool {
-    word.starts_with(|c: char| c.is_alphabetic() || c == '_')
-}
-
 /// The tree of a text; none where something is wrong, which is told.
 pub fn check(text: &str, board: Board, found: &mut Found) -> Option<Tree> {
     let program = parser::parse(text, found);

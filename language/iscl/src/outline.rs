@@ -2,7 +2,7 @@
 
 use unoclp_text::colour::Colour;
 use unoclp_text::diagnostics::Span;
-use unoclp_text::outline::{Named, Outline, What};
+use unoclp_text::outline::{Named, Outline, What, begins_name};
 
 /// What these words of a text declare.
 pub fn outline(text: &str, words: &[(Span, Option<Colour>)]) -> Outline {
@@ -16,7 +16,7 @@ pub fn outline(text: &str, words: &[(Span, Option<Colour>)]) -> Outline {
     for (at, (span, colour)) in words.iter().enumerate().skip(1) {
         let ty = written(at - 1);
         let is_type = types.iter().any(|own| own.eq_ignore_ascii_case(ty));
-        if colour.is_some() || !is_type || !super::is_name(written(at)) {
+        if colour.is_some() || !is_type || !begins_name(written(at)) {
             continue;
         }
         let (ty, _) = words[at - 1];

@@ -4,7 +4,7 @@ use crate::words::Word;
 use unoclp_small::cursor::Keywords;
 use unoclp_text::colour::Colour;
 use unoclp_text::diagnostics::Span;
-use unoclp_text::outline::{Named, Outline, What};
+use unoclp_text::outline::{Named, Outline, What, begins_name};
 
 /// What these words of a text declare.
 pub fn outline(text: &str, words: &[(Span, Option<Colour>)]) -> Outline {
@@ -19,7 +19,7 @@ pub fn outline(text: &str, words: &[(Span, Option<Colour>)]) -> Outline {
         if *colour == Some(Colour::Word) {
             declares = Word::of(written(at)) == Word::Var;
         }
-        if colour.is_some() || at == 0 || !super::is_name(written(at)) {
+        if colour.is_some() || at == 0 || !begins_name(written(at)) {
             continue;
         }
         if Word::of(written(at - 1)) == Word::Plc {

@@ -22,7 +22,7 @@ const HALVES: usize = 12;
 /// # Errors
 /// Those of the test.
 pub fn least<T, E>(mut test: impl FnMut() -> Result<T, E>) -> Result<T, E> {
-    test().or_else(|found| {
+    test().map_err(|found| {
         let mut error = found;
         let (_, first) = tape::record(&mut test);
         let mut fails = |given: &[u64]| {
@@ -41,7 +41,7 @@ pub fn least<T, E>(mut test: impl FnMut() -> Result<T, E>) -> Result<T, E> {
             },
         };
         while search.delete() | search.lower() {}
-        Err(error)
+        error
     })
 }
 

@@ -9,8 +9,10 @@
 //! - [`symbols`]: what a text declares
 //!
 //! The way of a text: `reader` (its words and declarations), `meaning` (what a word stands for), and then a file for each
-//! of the above. All of it holds for a text with mistakes too, and takes a time in proportion to it. Owns what an editor knows.
-//! Must not know files, protocols, screens, nor what a word of one language does: the registry's rows say it.
+//! of the above. All of it holds for a text with mistakes too, and takes a time in proportion to it.
+//!
+//! Owns what an editor knows of a text. Must not know files, protocols, screens, nor what a word of one language does: the
+//! registry's rows say it.
 
 #![forbid(unsafe_code)]
 

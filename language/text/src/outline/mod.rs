@@ -80,6 +80,11 @@ impl Named {
     }
 }
 
+/// Whether a word begins like a name.
+pub fn begins_name(word: &str) -> bool {
+    word.starts_with(|first: char| first.is_alphabetic() || first == '_')
+}
+
 /// All declarations of a text, in the order of their places.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Outline {

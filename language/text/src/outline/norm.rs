@@ -1,6 +1,6 @@
 //! What a text in the words of the norm declares: Structured Text, SCL, Instruction List.
 
-use super::{Named, Outline, What};
+use super::{Named, Outline, What, begins_name};
 use crate::colour::Colour;
 use crate::diagnostics::Span;
 
@@ -56,8 +56,7 @@ impl Word<'_> {
 
     /// Whether it can be a name.
     fn is_name(self) -> bool {
-        let begins = |c: char| c.is_alphabetic() || c == '_';
-        self.colour.is_none() && self.text.starts_with(begins)
+        self.colour.is_none() && begins_name(self.text)
     }
 
     /// Whether it begins or ends a section of variables, or a unit.
