@@ -1,7 +1,7 @@
 //! What an editor asks, and what is known of it.
 
 use crate::documents::{Documents, Open};
-use crate::{Refusal, problems};
+use crate::problems;
 use lsp_server::ErrorCode;
 use lsp_types::{
     CodeAction, CodeActionKind, CodeActionParams, CompletionItem, CompletionItemKind,
@@ -17,6 +17,9 @@ use unoclp_assist as assist;
 use unoclp_assist::{Edit, Kind, Symbol};
 use unoclp_lang::Lang;
 use unoclp_lang::declarations::What;
+
+/// What cannot be answered, and why, in the words of the protocol.
+type Refusal = (ErrorCode, String);
 
 /// All that is asked.
 pub(crate) struct Answers<'d> {

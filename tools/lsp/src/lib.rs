@@ -16,7 +16,7 @@ mod problems;
 use answers::Answers;
 use documents::Documents;
 pub use lsp_server::Connection;
-use lsp_server::{ErrorCode, Message, Notification, ProtocolError, Response};
+use lsp_server::{Message, Notification, ProtocolError, Response};
 use lsp_types::notification::{
     DidChangeTextDocument, DidCloseTextDocument, DidOpenTextDocument, Notification as _,
     PublishDiagnostics,
@@ -138,6 +138,3 @@ fn capabilities() -> ServerCapabilities {
         ..ServerCapabilities::default()
     }
 }
-
-/// What cannot be answered, and why, in the words of the protocol.
-pub(crate) type Refusal = (ErrorCode, String);

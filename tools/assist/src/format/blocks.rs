@@ -1,7 +1,7 @@
 //! Languages whose parts begin and end with words or braces: Structured Text, SCL, InterSCL, LCE.
 
-use super::Line;
 use super::gaps::{begins_operand, is_operator, joined};
+use super::line::Line;
 use crate::reader::Word;
 use unoclp_lang::Colour;
 

@@ -1,7 +1,7 @@
 //! Instruction List: labels, operators, operands and comments in columns.
 
-use super::Line;
 use super::gaps::joined;
+use super::line::Line;
 use crate::reader::Word;
 use unoclp_lang::Colour;
 

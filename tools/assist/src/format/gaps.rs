@@ -1,6 +1,6 @@
 //! What stands between two words: blanks, or a comment that stays as it is.
 
-use super::Line;
+use super::line::Line;
 use crate::reader::Word;
 use unoclp_lang::Colour;
 

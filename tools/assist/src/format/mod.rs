@@ -6,23 +6,13 @@
 mod blocks;
 mod columns;
 mod gaps;
+mod line;
 
-use crate::reader::{Reader, Word};
+use crate::reader::Reader;
 use crate::{Edit, language};
+use line::Line;
 use unoclp_lang::{Lines, Span};
 use unoclp_program::Written;
-
-/// A line of a text.
-pub(crate) struct Line<'r, 't> {
-    /// As it is written.
-    pub text: &'t str,
-    /// The words that begin in it.
-    pub words: &'r [Word<'t>],
-    /// Its first byte.
-    pub start: usize,
-    /// Whether it begins within a comment, so that it stays as it is.
-    pub is_within: bool,
-}
 
 /// Blank lines in a row that stay.
 const MOST_BLANK: usize = 2;
