@@ -1,6 +1,6 @@
 //! Editors that speak the Language Server Protocol (LSP 3.17).
 //!
-//! - [`serve`]: a conversation with an editor, to its end
+//! - [`stdio()`]: the editor at standard input and output; [`serve`]: a conversation with one, to its end
 //! - `documents`: the texts that are open there; `lines`: places as the protocol counts them, in units of UTF-16
 //! - `answers`: what is asked, and what `unoclp-assist` says of it; `problems`: what is told unasked
 //!
@@ -12,11 +12,11 @@ mod answers;
 mod documents;
 mod lines;
 mod problems;
+mod stdio;
 
 use answers::Answers;
 use documents::Documents;
-pub use lsp_server::Connection;
-use lsp_server::{Message, Notification, ProtocolError, Response};
+use lsp_server::{Connection, Message, Notification, ProtocolError, Response};
 use lsp_types::notification::{
     DidChangeTextDocument, DidCloseTextDocument, DidOpenTextDocument, Notification as _,
     PublishDiagnostics,
@@ -28,6 +28,7 @@ use lsp_types::{
     WorkDoneProgressOptions,
 };
 use serde_json::json;
+pub use stdio::stdio;
 use unoclp_core::Board;
 use unoclp_lang::Lang;
 

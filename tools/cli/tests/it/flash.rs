@@ -41,7 +41,7 @@ fn a_file_that_is_no_firmware_for_the_board_is_refused() {
         (&[&other], "FW-15: "),
         (
             &[&uno, "--board", "nano"],
-            "FW-16: the file takes 31770 bytes",
+            "FW-16: the file takes 31938 bytes",
         ),
         (&[&uno, "--board", "nano-old"], "FW-16: "),
     ];
