@@ -36,20 +36,21 @@ test("a project of OpenPLC Editor is opened, shown as ladder, and runs", async (
   await choose(page, "plc.xml", readFileSync(new URL("plc.xml", import.meta.url)));
   await page.locator('.ladder .element[data-point="Q4"]').waitFor();
   assert.equal(await page.inputValue("#name"), "plc.xml");
-  await page.locator(".ladder text.note", { hasText: "pump" }).first().waitFor();
+  await page.locator(".ladder text.name", { hasText: "pump" }).first().waitFor();
   await run(page);
   await holding(page, 1, () => lamp(page, 4, true));
   await lamp(page, 4, false);
   await page.context().close();
 });
 
-test("a program that no project can hold is told so, and nothing is saved", async () => {
+test("a program that no ladder of a project can hold is exported as a list", async () => {
   const page = await lab.still({ locale: "pt-BR" });
   await choose(page, "08-parking.txt", readFileSync(new URL("../../../../programs/tutorial/08-parking.txt", import.meta.url)));
   await page.locator(".ladder .element").first().waitFor();
   await page.click("#menu-fileMenu");
+  const saved = page.waitForEvent("download");
   await page.getByRole("button", { name: "Exportar como PLCopen XML", exact: true }).click();
-  await page.locator("#notes", { hasText: "FI" }).waitFor();
+  assert.match(readFileSync(await (await saved).path(), "utf8"), /<IL>/);
   await page.context().close();
 });
 
