@@ -171,6 +171,7 @@ pub fn compile(text: &str, read: Read, board: Board, mut found: Found) -> Compil
         lower(text, tree, written, board, &mut found, &mut made);
     }
     made.tree = tree;
+    found.within(text.len());
     made.diagnostics = found.finish();
     made
 }

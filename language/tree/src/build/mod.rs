@@ -46,7 +46,9 @@ mod builder;
 mod calls;
 mod cells;
 mod coerce;
+mod counted;
 mod declare;
+mod edges;
 mod finish;
 mod functions;
 mod inputs;
@@ -67,6 +69,7 @@ mod words;
 
 pub use arguments::{Argument, Given};
 pub use builder::{Builder, MOST_CELLS};
+pub use edges::EdgeInput;
 pub use functions::{is_function, usual};
 pub use named::{Letters, Named, Section, Traits};
 pub use places::Target;
