@@ -20,7 +20,8 @@ pub(crate) fn compile(
     found: &mut Found,
     imported: &mut Imported,
 ) {
-    let written = write(xml, project, language, found);
+    let mut written = write(xml, project, language, found);
+    written.unqualified(&project.lists);
     if found.has_errors() {
         return;
     }
@@ -45,7 +46,7 @@ pub(crate) fn compile(
 /// something uses them.
 fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &mut Found) -> Text {
     let mut written = Text::default();
-    let types = Types::of(project.types);
+    let types = Types::of(&project.types);
     types.write(&mut written);
     if !project.globals.is_empty() {
         section(&mut written, "VAR_GLOBAL", project.globals.iter(), found);
@@ -57,7 +58,9 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
         "ST"
     };
     let is_text = |pou: &&Pou<'_, '_>| pou.body.is_some_and(|(language, _)| language == own);
-    let mut waiting: VecDeque<&Pou<'_, '_>> = project.others.iter().filter(is_text).collect();
+    let is_library = project.programs.is_empty();
+    let units_of_text = project.others.iter().filter(|pou| is_library || is_text(pou));
+    let mut waiting: VecDeque<&Pou<'_, '_>> = units_of_text.collect();
     let mut programs: Vec<&Pou<'_, '_>> = project.programs.iter().collect();
     programs.dedup_by_key(|pou| pou.name.clone());
     waiting.extend(programs);
@@ -67,7 +70,7 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
         let from = written.text.len();
         let body = match pou.body {
             Some((of_text, body)) if of_text == own => Some(body),
-            Some(("LD", body)) if own == "ST" => {
+            Some(("LD" | "FBD", body)) if own == "ST" => {
                 let ladder = st::write(pou, body, &project.globals, &units, found);
                 write_pou(&mut written, pou, &ladder.variables, found, |to| {
                     for (piece, from) in &ladder.pieces {
@@ -100,14 +103,6 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
 /// Tells that a body cannot be imported, and what it is.
 pub(crate) fn refuse(pou: &Pou<'_, '_>, language: &str, others: &str, found: &mut Found) {
     let (what, help): (Word, Word) = match language {
-        "FBD" => (
-            ("a function block diagram (FBD)", "um diagrama de blocos (FBD)").into(),
-            (
-                "draw it as a ladder (LD), or write it in ST",
-                "desenhe-o em ladder (LD), ou escreva-o em ST",
-            )
-                .into(),
-        ),
         "SFC" => (
             (
                 "a sequential function chart (SFC)",
@@ -120,7 +115,7 @@ pub(crate) fn refuse(pou: &Pou<'_, '_>, language: &str, others: &str, found: &mu
             )
                 .into(),
         ),
-        "IL" | "ST" | "LD" => (
+        "IL" | "ST" | "LD" | "FBD" => (
             (
                 format!("in {language}, but the project is in {others}"),
                 format!("em {language}, mas o projeto está em {others}"),

@@ -11,7 +11,7 @@
 //! - `circuit`: what stands in series and in parallel; `flow`: the way of the power to each output
 //! - `contacts`, `blocks`, `instances`, `values`: what stands on that way
 //! - `pins`, `unused`: wires that lead nowhere, and what they come from
-//! - `outputs`: the circuits of a network; `effects`: which of them may change places; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
+//! - `outputs`: the circuits of a network; `effects`: which of them may change places; `anew`: contacts that each output reads for itself; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
 //! - `adapt`: points that another PLC has, on this board
 //! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces stand in the file; `types`: types
 //!   as it spells them; `st`: ladder bodies as statements, where no document holds them
@@ -25,6 +25,7 @@
 
 mod adapt;
 mod allot;
+mod anew;
 mod around;
 mod blocks;
 mod body;

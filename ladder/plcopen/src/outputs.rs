@@ -1,5 +1,6 @@
 //! The circuits of a network, one for each output: what they have in common stands once.
 
+use crate::anew::reads_anew;
 use crate::circuit::{Circuit, below, heads, leaves, size, within};
 use crate::effects::Effects;
 use crate::flow::Flow;
@@ -139,6 +140,9 @@ impl Made {
                 return None;
             }
             between = at + 1;
+            if reads_anew(&self.circuits[at], circuit, flow.network) {
+                return None;
+            }
             let behind = self.jump.filter(|_| at == self.since);
             if join(&mut self.circuits[at], circuit, sink, behind) {
                 self.effects[at].extend(own);

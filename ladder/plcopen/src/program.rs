@@ -138,13 +138,16 @@ fn way(project: &Project<'_, '_>, found: &mut Found) -> Option<Way> {
         let own = pou.body.map_or("?", |(language, _)| language);
         if all(pou.node, "body").nth(1).is_some() {
             body::refuse(pou, "", "", found);
-        } else if !matches!(own, "LD" | "ST" | "IL") {
+        } else if !matches!(own, "LD" | "FBD" | "ST" | "IL") {
             body::refuse(pou, own, "", found);
         } else {
             languages.push((own, pou));
         }
     }
-    let (own, first) = languages.first()?;
+    let Some((own, first)) = languages.first() else {
+        let is_library = project.programs.is_empty();
+        return is_library.then_some(Way::Text(TextLanguage::St));
+    };
     if let Some((other, pou)) = languages
         .iter()
         .find(|(l, _)| (*l == "IL") != (*own == "IL"))

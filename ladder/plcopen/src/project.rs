@@ -15,8 +15,10 @@ pub(crate) struct Project<'a, 'x> {
     pub others: Vec<Pou<'a, 'x>>,
     /// The variables of the configuration and of its resources.
     pub globals: Vec<Variable>,
+    /// The lists of them that have a name, before which a text may write it, in capitals: `GVL.start`.
+    pub lists: HashMap<String, HashSet<String>>,
     /// The types that the project makes.
-    pub types: Option<Node<'a, 'x>>,
+    pub types: Vec<Node<'a, 'x>>,
 }
 
 /// A program, a function or a function block.
@@ -54,23 +56,23 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
             found.tell(Code::XmlNoProject, root, [name]);
             return None;
         }
-        let types = first(root, "types");
-        let pous = types.and_then(|types| first(types, "pous"));
-        let pous: Vec<Pou<'_, '_>> = pous
-            .into_iter()
-            .flat_map(|pous| all(pous, "pou"))
-            .map(pou)
-            .collect();
+        // CODESYS keeps those of an application beside its tasks.
+        let pous = root.descendants().filter(|node| is(node, "pou"));
+        let pous: Vec<Pou<'_, '_>> = pous.map(pou).collect();
         let (programs, others) = pous.into_iter().partition(|pou| pou.kind == "program");
         let mut project = Project {
             programs,
             others,
             globals: globals(root),
-            types: types.and_then(|types| first(types, "dataTypes")),
+            lists: lists(root),
+            types: root
+                .descendants()
+                .filter(|node| is(node, "dataType"))
+                .collect(),
         };
         project.order(root, found);
         project.shared(found);
-        if project.programs.is_empty() {
+        if project.programs.is_empty() && project.others.is_empty() {
             found.tell(Code::XmlNoProgram, root, []);
             return None;
         }
@@ -113,7 +115,10 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
         let mut run = Vec::new();
         let mut is_named = false;
         for instance in instances {
-            let Some(name) = instance.attribute("typeName") else {
+            // In CODESYS a program has one instance, and both have one name.
+            let names = ["typeName", "name"].into_iter();
+            let mut names = names.filter_map(|name| instance.attribute(name));
+            let Some(name) = names.find(|name| !name.is_empty()) else {
                 continue;
             };
             is_named = true;
@@ -173,6 +178,18 @@ fn pou<'a, 'x: 'a>(node: Node<'a, 'x>) -> Pou<'a, 'x> {
 fn globals(root: Node<'_, '_>) -> Vec<Variable> {
     let sections = root.descendants().filter(|node| is(node, "globalVars"));
     sections.flat_map(variables).collect()
+}
+
+fn lists(root: Node<'_, '_>) -> HashMap<String, HashSet<String>> {
+    let sections = root.descendants().filter(|node| is(node, "globalVars"));
+    let named = sections.filter_map(|section| Some((section.attribute("name")?, section)));
+    let upper = |section| {
+        let own = variables(section).into_iter();
+        own.map(|variable| variable.name.to_uppercase()).collect()
+    };
+    named
+        .map(|(name, section)| (name.to_uppercase(), upper(section)))
+        .collect()
 }
 
 /// The variables that a section declares.

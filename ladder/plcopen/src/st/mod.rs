@@ -235,7 +235,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         if let [wire] = element.wires("")
             && self.is_stored_by(wire.from, wire.output)
         {
-            return self.store(wire.from);
+            return self.store_in(wire.from, at);
         }
         let circuit = self.input(at, "")?;
         let value = self.said(&circuit, element.negated());

@@ -137,12 +137,6 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
         let leaf = self.leaf((at, 0), said);
         circuit.push(leaf);
-        // Power that parts stays what it was, whatever the first coil after it writes.
-        let readers = network.readers[at].iter();
-        let readers = readers.filter(|reader| !network.is_end(reader.at));
-        if self.rewrites[at] && readers.count() > 1 {
-            circuit = self.keep(at, &circuit);
-        }
         Some(circuit)
     }
 

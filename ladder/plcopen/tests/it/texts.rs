@@ -60,7 +60,7 @@ fn addresses_in_a_body_count_as_in_every_language() {
 
 #[test]
 fn what_is_no_ladder_and_no_text_is_refused_by_its_name() {
-    let bodies = ["<SFC/>", "<FBD/>", "<LD/></body><body><LD/>"];
+    let bodies = ["<SFC/>", "<LD/></body><body><LD/>"];
     for (body, code) in bodies.map(|body| (body, "XML-504")) {
         let made = import(&project("", body), Board::UNO);
         let told: Vec<String> = made
@@ -151,12 +151,6 @@ fn what_a_body_is_drawn_in_is_told_with_what_to_do() {
             "the body of `Main` is a sequential function chart (SFC), which cannot be imported",
             "o corpo de `Main` é um gráfico sequencial (SFC), que não pode ser importado",
             "write its steps as a CASE in ST, or draw them as coils that are set and reset in LD",
-        ),
-        (
-            "<FBD/>",
-            "the body of `Main` is a function block diagram (FBD), which cannot be imported",
-            "o corpo de `Main` é um diagrama de blocos (FBD), que não pode ser importado",
-            "draw it as a ladder (LD), or write it in ST",
         ),
         (
             "<ST/></body><body><ST/>",
