@@ -59,7 +59,10 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
     };
     let is_text = |pou: &&Pou<'_, '_>| pou.body.is_some_and(|(language, _)| language == own);
     let is_library = project.programs.is_empty();
-    let units_of_text = project.others.iter().filter(|pou| is_library || is_text(pou));
+    let units_of_text = project
+        .others
+        .iter()
+        .filter(|pou| is_library || is_text(pou));
     let mut waiting: VecDeque<&Pou<'_, '_>> = units_of_text.collect();
     let mut programs: Vec<&Pou<'_, '_>> = project.programs.iter().collect();
     programs.dedup_by_key(|pou| pou.name.clone());

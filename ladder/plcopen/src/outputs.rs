@@ -5,6 +5,7 @@ use crate::circuit::{Circuit, below, heads, leaves, size, within};
 use crate::effects::Effects;
 use crate::flow::Flow;
 use crate::network::{Element, Network};
+use crate::ways::Ways;
 use crate::{pins, unused};
 use std::collections::{BTreeSet, HashMap, HashSet};
 use unoclp_lang::Code;

@@ -14,6 +14,7 @@ use crate::points::Points;
 use crate::project::{Pou, Project};
 use crate::rungs::Rungs;
 use crate::scope::Scope;
+use crate::ways::Ways;
 use crate::xml::{self, all, first, text};
 use std::sync::Arc;
 use unoclp_checked::Checked;
@@ -217,7 +218,7 @@ fn ladder(
     for (index, (pou, network)) in project.programs.iter().zip(&networks).enumerate() {
         let mut scope = Scope::new(&pou.variables);
         let mut flow = Flow::new(index, network, &mut scope, &mut all, found);
-        flow.work = work;
+        flow.walk.work = work;
         labels(&mut flow);
         let mut elements = network.elements.iter();
         if let Some(leaves) = elements.position(|element| element.kind == "return")
@@ -229,7 +230,7 @@ fn ladder(
             }
         }
         let circuits = circuits(&mut flow);
-        work = flow.work;
+        work = flow.walk.work;
         let title = (networks.len() > 1).then(|| pou.name.clone());
         rungs.add(&flow, &circuits, title);
         rungs.labels.extend(flow.end);

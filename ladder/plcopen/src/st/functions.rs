@@ -6,6 +6,7 @@ use super::what::What;
 use crate::circuit::Circuit;
 use crate::found::span;
 use crate::network::{Reader, Wire};
+use crate::ways::Ways;
 use unoclp_lang::Code;
 use unoclp_lang::typed::usual;
 
@@ -140,17 +141,13 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     }
 
     fn stores_within(&mut self, at: usize, variables: &[usize]) -> Option<()> {
-        let is_open = self.open.last() == Some(&at);
+        let is_open = self.is_at(at);
         if !is_open {
-            if self.open.contains(&at) {
-                self.tell(Code::XmlLoop, at, []);
-                return None;
-            }
-            self.open.push(at);
+            self.descend(at)?;
         }
         let stored = self.stores(at, variables);
         if !is_open {
-            self.open.pop();
+            self.ascend();
         }
         stored
     }

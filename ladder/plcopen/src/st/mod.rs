@@ -26,15 +26,16 @@ pub(crate) use units::Units;
 
 use crate::circuit::Circuit;
 use crate::found::{Found, span};
-use crate::network::{Element, Network, Wire, edge};
+use crate::network::{Element, Network, edge};
 use crate::outputs::{sinks, unknown};
 use crate::project::{Pou, Variable};
+use crate::ways::{Walk, Ways};
 use crate::xml::says;
 use crate::{pins, unused};
 use roxmltree::Node;
 use sentences::{Piece, Sentences, piece};
 use std::collections::{HashMap, HashSet};
-use unoclp_lang::{Code, Span, Word};
+use unoclp_lang::{Code, Span};
 
 /// A body as Structured Text.
 #[derive(Default)]
@@ -84,13 +85,11 @@ pub(crate) fn write<'a, 'x: 'a>(
         outputs: HashMap::new(),
         labels: wires::labels(&network),
         jumps: HashMap::new(),
-        known: HashMap::new(),
         enabled: HashMap::new(),
         names: HashMap::new(),
         kinds: HashMap::new(),
         words: HashMap::new(),
-        open: Vec::new(),
-        work: 0,
+        walk: Walk::default(),
     };
     body.taken.insert(pou.name.to_uppercase());
     for sink in sinks(&network, &is_block) {
@@ -141,7 +140,6 @@ struct Body<'b, 'a, 'x> {
     labels: Vec<usize>,
     /// The variables that say where to jump, by the names of the labels.
     jumps: HashMap<&'a str, String>,
-    known: HashMap<Wire<'a>, Option<Circuit>>,
     /// The ways to EN.
     enabled: HashMap<usize, Option<Circuit>>,
     /// The variables that keep the results of functions.
@@ -150,8 +148,7 @@ struct Body<'b, 'a, 'x> {
     kinds: HashMap<usize, String>,
     /// What the leaves of circuits say.
     words: HashMap<crate::circuit::Key, Vec<Piece>>,
-    open: Vec<usize>,
-    work: usize,
+    walk: Walk<'a>,
 }
 
 impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
@@ -261,9 +258,5 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let place = span(self.network.elements[at].node);
         self.added.push((name.clone(), kind.to_owned(), place));
         name
-    }
-
-    fn tell<const N: usize>(&mut self, code: Code, at: usize, words: [Word; N]) {
-        self.network.tell(self.found, code, at, words);
     }
 }
