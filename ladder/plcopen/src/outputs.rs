@@ -221,6 +221,7 @@ pub(crate) fn sinks(
         let mut readers = network.readers[at].iter();
         let leads_on = readers.any(|reader| !network.is_end(reader.at));
         match element.kind {
+            _ if element.is_loose() => {}
             "block" if element.order.is_some() && is_block(element) => sinks.push(at),
             "coil" | "contact" | "block" if !leads_on => sinks.push(at),
             "inOutVariable" if element.wires("").is_empty() => {}
