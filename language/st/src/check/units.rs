@@ -117,7 +117,9 @@ impl Checker<'_, '_, '_> {
         for vars in sections {
             let is_input = vars.section == ast::Section::Input && unit.kind != UnitKind::Function;
             for decl in &vars.decls {
-                let Some(Edge { is_rising, span }) = decl.edge else { continue };
+                let Some(Edge { is_rising, span }) = decl.edge else {
+                    continue;
+                };
                 if !is_input || !is_bool(&decl.spec) {
                     let help = (
                         "declare an R_TRIG or F_TRIG, call it with the variable, and read its Q",
@@ -242,7 +244,9 @@ impl Checker<'_, '_, '_> {
             let Stage::Done(unit) = stage else { continue };
             let before = self.builder.enter(&unit);
             let edges = self.edges.remove(&at).unwrap_or_default();
-            let edges = edges.into_iter().flat_map(|edge| self.builder.see_edge(edge));
+            let edges = edges
+                .into_iter()
+                .flat_map(|edge| self.builder.see_edge(edge));
             let mut body: Vec<Stmt> = edges.collect();
             body.extend(self.statements(&self.file.units[at].body));
             body.extend(self.chart(at));

@@ -74,5 +74,5 @@ pub use functions::{is_function, usual};
 pub use named::{Letters, Named, Section, Traits};
 pub use places::Target;
 pub use stages::{Before, Closed, Declaring, Enter};
-pub use turns::turns;
+pub use turns::{leaves, turns};
 pub use words::both;
