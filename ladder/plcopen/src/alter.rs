@@ -3,7 +3,7 @@
 use crate::export::escaped;
 use crate::found::Found;
 use crate::project::declared;
-use crate::xml::{self, all, first};
+use crate::xml::{self, first, within};
 use roxmltree::Node;
 use std::ops::Range;
 
@@ -29,16 +29,11 @@ pub fn alter(text: &str, unit: Option<&str>, variable: &str, change: &Change) ->
     let root = tree.root_element();
     let sections: Vec<Node<'_, '_>> = match unit {
         Some(unit) => {
-            let pous = first(first(root, "types")?, "pous")?;
             let is_unit = |pou: &Node<'_, '_>| is_named(*pou, unit);
-            let pou = all(pous, "pou").find(is_unit)?;
+            let pou = within(root, "pou").find(is_unit)?;
             first(pou, "interface")?.children().collect()
         }
-        None => {
-            let all = root.descendants();
-            all.filter(|node| node.tag_name().name() == "globalVars")
-                .collect()
-        }
+        None => within(root, "globalVars").collect(),
     };
     let mut rows = sections.into_iter().flat_map(declared);
     let node = rows.find(|row| is_named(row.node, variable))?.node;

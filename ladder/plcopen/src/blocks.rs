@@ -4,6 +4,7 @@ use crate::circuit::{Circuit, Item, Leaf, Part, followed};
 use crate::flow::Flow;
 use crate::pins::is_numbered;
 use crate::symbol::{Meaning, Symbol};
+use crate::ways::Ways;
 use unoclp_core::isa::Opcode;
 use unoclp_draw::edit::{Gate, Step};
 use unoclp_lang::Code;

@@ -21,7 +21,8 @@ pub(crate) fn compile(
     found: &mut Found,
     imported: &mut Imported,
 ) {
-    let written = write(xml, project, language, found);
+    let mut written = write(xml, project, language, found);
+    written.unqualified(&project.lists);
     if found.has_errors() {
         return;
     }
@@ -47,7 +48,7 @@ pub(crate) fn compile(
 /// something uses them.
 fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &mut Found) -> Text {
     let mut written = Text::default();
-    let types = Types::of(project.types);
+    let types = Types::of(&project.types);
     types.write(&mut written);
     if !project.globals.is_empty() {
         section(&mut written, "VAR_GLOBAL", project.globals.iter(), found);
@@ -59,7 +60,12 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
         "ST"
     };
     let is_text = |pou: &&Pou<'_, '_>| pou.body.is_some_and(|(language, _)| language == own);
-    let mut waiting: VecDeque<&Pou<'_, '_>> = project.others.iter().filter(is_text).collect();
+    let is_library = project.programs.is_empty();
+    let units_of_text = project
+        .others
+        .iter()
+        .filter(|pou| is_library || is_text(pou));
+    let mut waiting: VecDeque<&Pou<'_, '_>> = units_of_text.collect();
     let mut programs: Vec<&Pou<'_, '_>> = project.programs.iter().collect();
     programs.dedup_by_key(|pou| pou.name.clone());
     waiting.extend(programs);

@@ -4,6 +4,7 @@ use crate::circuit::{Circuit, Item, Leaf, Part, followed};
 use crate::flow::{Flow, edge_of};
 use crate::network::edge;
 use crate::symbol::{Counts, Meaning, Symbol, point};
+use crate::ways::Ways;
 use crate::xml::says;
 use unoclp_core::isa::Opcode;
 use unoclp_draw::edit::{Coil, Draft, Gate, Step};

@@ -64,7 +64,7 @@ impl Effects {
 }
 
 /// The point that an instruction of an import names.
-fn point(step: &Step) -> Option<Address> {
+pub(crate) fn point(step: &Step) -> Option<Address> {
     let number = step.number()?;
     match step.opcode().row().kind {
         Kind::Time | Kind::Timer => Some(Address::Timer(number)),

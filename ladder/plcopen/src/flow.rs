@@ -1,26 +1,18 @@
 //! The way of the power through a network: from the left rail to each output.
 
 use crate::allot::Allotted;
-use crate::circuit::{Circuit, Item, Leaf, followed, size, together};
+use crate::circuit::{Circuit, Item, Leaf, followed, size};
 use crate::found::{Found, span};
-use crate::network::{DEEPEST, Network, Wire, edge};
+use crate::network::{Network, Wire, edge};
 use crate::scope::Scope;
 use crate::symbol::{Meaning, Symbol};
+use crate::ways::{Walk, Ways};
 use crate::xml::says;
 use std::collections::HashMap;
 use unoclp_core::isa::Opcode;
 use unoclp_draw::edit::Step;
 use unoclp_lang::{Code, Word};
 use unoclp_point::Address;
-
-/// More instructions than this fit no board.
-const LARGEST: usize = 2_000;
-
-/// The most pieces of circuits that are looked at for one project. The largest that fits a board takes a tenth of it.
-const MOST_WORK: usize = 20_000_000;
-
-/// So many times as long takes a piece that is copied.
-pub(crate) const COPIED: usize = 50;
 
 /// How far a call of a block has come.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -49,10 +41,7 @@ pub(crate) struct Flow<'f, 'a, 'x> {
     pub labels: HashMap<String, u8>,
     /// The label after the program, where others follow.
     pub end: Option<u8>,
-    /// How many pieces of circuits have been looked at.
-    pub work: usize,
-    known: HashMap<Wire<'a>, Option<Circuit>>,
-    open: Vec<usize>,
+    pub walk: Walk<'a>,
 }
 
 impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
@@ -74,9 +63,7 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
             calls: HashMap::new(),
             labels: HashMap::new(),
             end: None,
-            work: 0,
-            known: HashMap::new(),
-            open: Vec::new(),
+            walk: Walk::default(),
         }
     }
 
@@ -123,30 +110,9 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
 
     /// The circuit to an input of an element.
     pub(crate) fn power(&mut self, element: usize, input: &str) -> Option<Circuit> {
+        let mut circuit = self.input(element, input)?;
         let network = self.network;
-        let pin = network.elements[element].input(input);
-        let Some(pin) = pin.filter(|pin| !pin.wires.is_empty()) else {
-            let what = match input {
-                "" => ("it", "ele").into(),
-                input => Word::from(input),
-            };
-            self.tell(Code::XmlPin, element, [what]);
-            return None;
-        };
-        let mut ways = Vec::with_capacity(pin.wires.len());
-        for &wire in &pin.wires {
-            let way = self.source(wire)?;
-            self.spend(element, COPIED * (1 + size(&way)))?;
-            ways.push(way);
-        }
-        let mut circuit = match ways.len() {
-            1 => ways.remove(0),
-            _ => together(ways),
-        };
-        if size(&circuit) > LARGEST {
-            self.too_large(element);
-            return None;
-        }
+        let pin = network.elements[element].input(input)?;
         let index = network.elements[element].inputs.iter();
         let index = index.take_while(|other| other.name != pin.name).count();
         if let Some(opcode) = edge_of(pin.edge) {
@@ -158,79 +124,6 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
             circuit.push(Item::Leaf(leaf));
         }
         Some(circuit)
-    }
-
-    /// The circuit to the beginning of a wire.
-    pub(crate) fn source(&mut self, wire: Wire<'a>) -> Option<Circuit> {
-        if let Some(known) = self.known.get(&wire) {
-            return known.clone();
-        }
-        self.descend(wire.from)?;
-        let circuit = self.behind(wire);
-        self.ascend();
-        self.known.insert(wire, circuit.clone());
-        circuit
-    }
-
-    /// Counts pieces that are looked at for an element; none where they are too many, which is told.
-    pub(crate) fn spend(&mut self, at: usize, pieces: usize) -> Option<()> {
-        self.work = self.work.saturating_add(pieces);
-        if self.work > MOST_WORK {
-            self.too_large(at);
-            return None;
-        }
-        Some(())
-    }
-
-    /// Whether the element that is looked at is this one.
-    pub(crate) fn is_at(&self, at: usize) -> bool {
-        self.open.last() == Some(&at)
-    }
-
-    /// Goes on at this element, where that leads in no circle and not too deep.
-    pub(crate) fn descend(&mut self, at: usize) -> Option<()> {
-        if self.open.contains(&at) {
-            self.tell(Code::XmlLoop, at, []);
-            return None;
-        }
-        if self.open.len() >= DEEPEST {
-            self.too_large(at);
-            return None;
-        }
-        self.open.push(at);
-        Some(())
-    }
-
-    /// Comes back from there.
-    pub(crate) fn ascend(&mut self) {
-        self.open.pop();
-    }
-
-    fn behind(&mut self, wire: Wire<'a>) -> Option<Circuit> {
-        let network = self.network;
-        let element = &network.elements[wire.from];
-        let at = wire.from;
-        match element.kind {
-            "leftPowerRail" => Some(Circuit::new()),
-            "contact" => {
-                let circuit = self.power(at, "")?;
-                self.contact(at, circuit)
-            }
-            "coil" => {
-                let circuit = self.power(at, "")?;
-                self.coil(at, circuit, edge(element.node))
-            }
-            "inVariable" | "inOutVariable" => self.contact(at, Circuit::new()),
-            "continuation" => {
-                let connector = network.continued_from(at, self.found)?;
-                self.power(connector, "")
-            }
-            "block" => self.result(at, wire.output),
-            kind => {
-                self.tell(Code::XmlElement, at, [kind.into()]);
-                None
-            }
-        }
     }
 
     /// What is written at an element, or at the value that leads to it.
@@ -262,11 +155,6 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
         Some(meaning)
     }
 
-    /// Tells something of an element.
-    pub(crate) fn tell<const N: usize>(&mut self, code: Code, at: usize, words: [Word; N]) {
-        self.network.tell(self.found, code, at, words);
-    }
-
     /// Tells that this is of one type where another is wanted.
     pub(crate) fn wants(&mut self, at: usize, written: &str, is: &str, wanted: &str) {
         self.tell(
@@ -275,9 +163,45 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
             [written.into(), is.into(), wanted.into()],
         );
     }
+}
 
-    pub(crate) fn too_large(&mut self, at: usize) {
-        self.network.too_large(at, self.found);
+impl<'f, 'a, 'x: 'a> Ways<'f, 'a, 'x> for Flow<'f, 'a, 'x> {
+    // For one project. The largest that fits a board takes a tenth of it.
+    const MOST_WORK: usize = 20_000_000;
+    const COPIED: usize = 50;
+
+    fn network(&self) -> &'f Network<'a, 'x> {
+        self.network
+    }
+
+    fn found(&mut self) -> &mut Found {
+        self.found
+    }
+
+    fn walk(&mut self) -> &mut Walk<'a> {
+        &mut self.walk
+    }
+
+    fn parts(&self, circuit: &Circuit) -> usize {
+        size(circuit)
+    }
+
+    fn at_contact(&mut self, at: usize) -> Option<Circuit> {
+        let circuit = self.power(at, "")?;
+        self.contact(at, circuit)
+    }
+
+    fn at_coil(&mut self, at: usize) -> Option<Circuit> {
+        let circuit = self.power(at, "")?;
+        self.coil(at, circuit, edge(self.network.elements[at].node))
+    }
+
+    fn at_value(&mut self, at: usize) -> Option<Circuit> {
+        self.contact(at, Circuit::new())
+    }
+
+    fn at_block(&mut self, wire: Wire<'a>) -> Option<Circuit> {
+        self.result(wire.from, wire.output)
     }
 }
 

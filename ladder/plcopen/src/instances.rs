@@ -3,6 +3,7 @@
 use crate::circuit::{Circuit, Item, Leaf, Part, followed};
 use crate::flow::{Call, Flow};
 use crate::symbol::{Counts, Meaning, Symbol};
+use crate::ways::Ways;
 use unoclp_core::isa::Opcode;
 use unoclp_draw::edit::{Coil, Draft, Step};
 use unoclp_lang::Code;

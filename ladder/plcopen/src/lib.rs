@@ -8,10 +8,10 @@
 //! - `bounds`: what a text may hold; `xml`: text → tree; `project`: POUs, variables, what runs and in which order
 //! - `network`: the elements of a ladder body, and the wires between them; `numbered`: its rungs, as a person counts them
 //! - `symbol`: what a variable can be; `points`, `allot`: which point of the board it gets; `scope`: what a name means in a POU
-//! - `circuit`: what stands in series and in parallel; `flow`: the way of the power to each output
+//! - `circuit`: what stands in series and in parallel; `ways`: wires followed to the left rail; `flow`: the way of the power to each output
 //! - `contacts`, `blocks`, `instances`, `values`: what stands on that way
 //! - `pins`, `unused`: wires that lead nowhere, and what they come from
-//! - `outputs`: the circuits of a network; `effects`: which of them may change places; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
+//! - `outputs`: the circuits of a network; `effects`: which of them may change places; `anew`: contacts that each output reads for itself; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
 //! - `outline`: its units and their variables, as a tree; `alter`: one of these changed in the file
 //! - `adapt`: points that another PLC has, on this board
 //! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces stand in the file; `types`: types
@@ -27,6 +27,7 @@
 mod adapt;
 mod allot;
 mod alter;
+mod anew;
 mod around;
 mod blocks;
 mod body;
@@ -57,6 +58,7 @@ mod text;
 mod types;
 mod unused;
 mod values;
+mod ways;
 mod xml;
 
 pub use adapt::adapt;

@@ -361,6 +361,11 @@ const IN_ORDER: &str = "2024";
 type Wrong<'a, 'x> = (usize, Code, Node<'a, 'x>, Option<Word>);
 
 impl<'a> Element<'a, '_> {
+    /// Whether it is a coil or a variable to which nothing leads, as editors let one lie about.
+    pub(crate) fn is_loose(&self) -> bool {
+        matches!(self.kind, "coil" | "outVariable") && self.wires("").is_empty()
+    }
+
     /// What it is called in a message: by its instance, its type, its variable.
     fn called(&self) -> (String, String) {
         let attribute = |name| self.node.attribute(name).unwrap_or_default();

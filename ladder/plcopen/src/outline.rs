@@ -3,7 +3,7 @@
 use crate::found::{Found, span};
 use crate::project::{Declared, declared};
 use crate::types::kind;
-use crate::xml::{self, all, first, text};
+use crate::xml::{self, first, text, within};
 use roxmltree::Node;
 use unoclp_lang::{Code, Span, Told};
 
@@ -79,22 +79,12 @@ pub fn outline(text: &str) -> Result<Outline, Told> {
         return Err(found.finish());
     }
     let header = first(root, "contentHeader");
-    let types = first(root, "types");
-    let within = |name| types.and_then(|types| first(types, name)).into_iter();
     let named = |of: Node<'_, '_>| of.attribute("name").unwrap_or_default().to_owned();
-    let shared = root.descendants();
-    let shared = shared.filter(|node| node.tag_name().name() == "globalVars");
     Ok(Outline {
         name: header.map_or(String::new(), named),
-        types: within("dataTypes")
-            .flat_map(|types| all(types, "dataType"))
-            .map(named)
-            .collect(),
-        globals: shared.flat_map(rows).collect(),
-        units: within("pous")
-            .flat_map(|pous| all(pous, "pou"))
-            .map(unit)
-            .collect(),
+        types: within(root, "dataType").map(named).collect(),
+        globals: within(root, "globalVars").flat_map(rows).collect(),
+        units: within(root, "pou").map(unit).collect(),
     })
 }
 

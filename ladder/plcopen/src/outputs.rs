@@ -1,9 +1,11 @@
 //! The circuits of a network, one for each output: what they have in common stands once.
 
+use crate::anew::reads_anew;
 use crate::circuit::{Circuit, below, heads, leaves, size, within};
 use crate::effects::Effects;
 use crate::flow::Flow;
 use crate::network::{Element, Network};
+use crate::ways::Ways;
 use crate::{pins, unused};
 use std::collections::{BTreeSet, HashMap, HashSet};
 use unoclp_lang::Code;
@@ -139,6 +141,9 @@ impl Made {
                 return None;
             }
             between = at + 1;
+            if reads_anew(&self.circuits[at], circuit, flow.network) {
+                return None;
+            }
             let behind = self.jump.filter(|_| at == self.since);
             if join(&mut self.circuits[at], circuit, sink, behind) {
                 self.effects[at].extend(own);
@@ -216,6 +221,7 @@ pub(crate) fn sinks(
         let mut readers = network.readers[at].iter();
         let leads_on = readers.any(|reader| !network.is_end(reader.at));
         match element.kind {
+            _ if element.is_loose() => {}
             "block" if element.order.is_some() && is_block(element) => sinks.push(at),
             "coil" | "contact" | "block" if !leads_on => sinks.push(at),
             "inOutVariable" if element.wires("").is_empty() => {}

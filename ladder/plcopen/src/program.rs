@@ -14,6 +14,7 @@ use crate::points::Points;
 use crate::project::{Pou, Project};
 use crate::rungs::Rungs;
 use crate::scope::Scope;
+use crate::ways::Ways;
 use crate::xml::{self, all, first, text};
 use std::sync::Arc;
 use unoclp_checked::Checked;
@@ -145,7 +146,10 @@ fn way(project: &Project<'_, '_>, found: &mut Found) -> Option<Way> {
             languages.push((own, pou));
         }
     }
-    let (own, first) = languages.first()?;
+    let Some((own, first)) = languages.first() else {
+        let is_library = project.programs.is_empty();
+        return is_library.then_some(Way::Text(TextLanguage::St));
+    };
     if let Some((other, pou)) = languages
         .iter()
         .find(|(l, _)| (*l == "IL") != (*own == "IL"))
@@ -215,7 +219,7 @@ fn ladder(
     for (index, (pou, network)) in project.programs.iter().zip(&networks).enumerate() {
         let mut scope = Scope::new(&pou.variables);
         let mut flow = Flow::new(index, network, &mut scope, &mut all, found);
-        flow.work = work;
+        flow.walk.work = work;
         labels(&mut flow);
         let mut elements = network.elements.iter();
         if let Some(leaves) = elements.position(|element| element.kind == "return")
@@ -227,7 +231,7 @@ fn ladder(
             }
         }
         let circuits = circuits(&mut flow);
-        work = flow.work;
+        work = flow.walk.work;
         let title = (networks.len() > 1).then(|| pou.name.clone());
         rungs.add(&flow, &circuits, title);
         rungs.labels.extend(flow.end);

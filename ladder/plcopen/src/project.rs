@@ -2,7 +2,7 @@
 
 use crate::found::{Found, span};
 use crate::types::{initial, kind};
-use crate::xml::{all, first, says};
+use crate::xml::{all, first, says, within};
 use roxmltree::Node;
 use std::collections::{HashMap, HashSet};
 use unoclp_lang::{Code, Span};
@@ -15,8 +15,10 @@ pub(crate) struct Project<'a, 'x> {
     pub others: Vec<Pou<'a, 'x>>,
     /// The variables of the configuration and of its resources.
     pub globals: Vec<Variable>,
+    /// The lists of them that have a name, before which a text may write it, in capitals: `GVL.start`.
+    pub lists: HashMap<String, HashSet<String>>,
     /// The types that the project makes.
-    pub types: Option<Node<'a, 'x>>,
+    pub types: Vec<Node<'a, 'x>>,
 }
 
 /// A program, a function or a function block.
@@ -54,13 +56,7 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
             found.tell(Code::XmlNoProject, root, [name]);
             return None;
         }
-        let types = first(root, "types");
-        let pous = types.and_then(|types| first(types, "pous"));
-        let pous: Vec<Pou<'_, '_>> = pous
-            .into_iter()
-            .flat_map(|pous| all(pous, "pou"))
-            .map(pou)
-            .collect();
+        let pous: Vec<Pou<'_, '_>> = within(root, "pou").map(pou).collect();
         let mut named = HashSet::new();
         for pou in &pous {
             if !named.insert(pou.name.to_uppercase()) {
@@ -72,11 +68,12 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
             programs,
             others,
             globals: globals(root),
-            types: types.and_then(|types| first(types, "dataTypes")),
+            lists: lists(root),
+            types: within(root, "dataType").collect(),
         };
         project.order(root, found);
         project.shared(found);
-        if project.programs.is_empty() {
+        if project.programs.is_empty() && project.others.is_empty() {
             found.tell(Code::XmlNoProgram, root, []);
             return None;
         }
@@ -109,9 +106,7 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
 
     /// Puts the programs in the order in which tasks run them.
     fn order(&mut self, root: Node<'a, 'x>, found: &mut Found) {
-        let instances = root
-            .descendants()
-            .filter(|node| node.has_tag_name(("", "pouInstance")) || is(node, "pouInstance"));
+        let instances = within(root, "pouInstance");
         let mut by_name = HashMap::new();
         for (at, pou) in self.programs.iter().enumerate() {
             by_name.entry(pou.name.to_uppercase()).or_insert(at);
@@ -119,7 +114,10 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
         let mut run = Vec::new();
         let mut is_named = false;
         for instance in instances {
-            let Some(name) = instance.attribute("typeName") else {
+            // In CODESYS a program has one instance, and both have one name.
+            let names = ["typeName", "name"].into_iter();
+            let mut names = names.filter_map(|name| instance.attribute(name));
+            let Some(name) = names.find(|name| !name.is_empty()) else {
                 continue;
             };
             is_named = true;
@@ -157,10 +155,6 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
 /// More programs than this are not run.
 const MOST_RUN: usize = 100;
 
-fn is(node: &Node<'_, '_>, name: &str) -> bool {
-    node.is_element() && node.tag_name().name() == name
-}
-
 fn pou<'a, 'x: 'a>(node: Node<'a, 'x>) -> Pou<'a, 'x> {
     let named = |attribute| node.attribute(attribute).unwrap_or_default().to_owned();
     let sections = first(node, "interface").into_iter();
@@ -177,8 +171,19 @@ fn pou<'a, 'x: 'a>(node: Node<'a, 'x>) -> Pou<'a, 'x> {
 }
 
 fn globals(root: Node<'_, '_>) -> Vec<Variable> {
-    let sections = root.descendants().filter(|node| is(node, "globalVars"));
-    sections.flat_map(variables).collect()
+    within(root, "globalVars").flat_map(variables).collect()
+}
+
+fn lists(root: Node<'_, '_>) -> HashMap<String, HashSet<String>> {
+    let sections = within(root, "globalVars");
+    let named = sections.filter_map(|section| Some((section.attribute("name")?, section)));
+    let upper = |section| {
+        let own = variables(section).into_iter();
+        own.map(|variable| variable.name.to_uppercase()).collect()
+    };
+    named
+        .map(|(name, section)| (name.to_uppercase(), upper(section)))
+        .collect()
 }
 
 /// The variables that a section declares.

@@ -2,6 +2,7 @@
 
 use crate::found::span;
 use roxmltree::Node;
+use std::collections::{HashMap, HashSet};
 use unoclp_checked::SourceMap;
 use unoclp_lang::{Diagnostic, Lines, Span, Trace};
 
@@ -46,6 +47,30 @@ impl Text {
         self.pieces
             .extend(pieces.map(|(first, from, alike)| (before + first, from, alike)));
         self.text.push_str(&other.text);
+    }
+
+    /// Takes away the names of lists of variables before names of theirs: `GVL.start`. All keeps its place.
+    pub(crate) fn unqualified(&mut self, lists: &HashMap<String, HashSet<String>>) {
+        if lists.is_empty() {
+            return;
+        }
+        let is_name = |c: char| c.is_alphanumeric() || c == '_';
+        let last = |text: &str| text.len() - text.trim_end_matches(is_name).len();
+        let mut plain = String::with_capacity(self.text.len());
+        let mut parts = self.text.split_inclusive('.').peekable();
+        while let Some(part) = parts.next() {
+            let before = part.trim_end_matches('.');
+            let (other, name) = before.split_at(before.len() - last(before));
+            let is_part = other.is_empty() && plain.ends_with('.');
+            let own = lists.get(&name.to_uppercase()).filter(|_| !is_part);
+            let behind = parts.peek().copied().unwrap_or_default();
+            let end = behind.find(|c| !is_name(c)).unwrap_or(behind.len());
+            match own.is_some_and(|own| own.contains(&behind[..end].to_uppercase())) {
+                true => plain.extend([other, &" ".repeat(part.len() - other.len())]),
+                false => plain.push_str(part),
+            }
+        }
+        self.text = plain;
     }
 
     /// Where a byte of the text stands in the XML.

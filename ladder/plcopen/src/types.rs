@@ -100,7 +100,6 @@ pub(crate) fn initial(of: Node<'_, '_>) -> Option<String> {
 }
 
 /// The types that a project makes.
-#[derive(Default)]
 pub(crate) struct Types<'a, 'x> {
     /// Each by its name in capitals.
     by_name: HashMap<String, Node<'a, 'x>>,
@@ -108,14 +107,12 @@ pub(crate) struct Types<'a, 'x> {
 }
 
 impl<'a, 'x: 'a> Types<'a, 'x> {
-    pub(crate) fn of(table: Option<Node<'a, 'x>>) -> Types<'a, 'x> {
-        let mut types = Types::default();
-        for node in table.into_iter().flat_map(|table| all(table, "dataType")) {
-            let name = node.attribute("name").unwrap_or_default();
-            types.by_name.insert(name.to_uppercase(), node);
-            types.all.push(node);
+    pub(crate) fn of(all: &[Node<'a, 'x>]) -> Types<'a, 'x> {
+        let name = |node: &Node<'_, '_>| node.attribute("name").unwrap_or_default().to_uppercase();
+        Types {
+            by_name: all.iter().map(|node| (name(node), *node)).collect(),
+            all: all.to_vec(),
         }
-        types
     }
 
     /// Writes them down.

@@ -41,6 +41,13 @@ pub(crate) fn check(
         }
         leading_to(network, std::iter::once(inside), &mut does);
     }
+    let loose = (0..network.elements.len()).filter(|at| network.elements[*at].is_loose());
+    // A wire that comes from nowhere is told itself.
+    let loose = loose.filter(|at| {
+        let mut parts = network.elements[*at].node.descendants();
+        !parts.any(|part| part.tag_name().name() == "connection")
+    });
+    loose.for_each(|at| network.tell(found, Code::XmlLoose, at, []));
     labels(network, found);
 }
 

@@ -3,6 +3,7 @@
 use crate::circuit::Part;
 use crate::flow::Flow;
 use crate::symbol::{Meaning, Symbol};
+use crate::ways::Ways;
 use unoclp_core::isa::{Class, Opcode, POPPED};
 use unoclp_draw::edit::Step;
 use unoclp_lang::Code;

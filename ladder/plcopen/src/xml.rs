@@ -48,7 +48,16 @@ pub(crate) fn all<'a, 'x>(
         .filter(move |child| child.is_element() && child.tag_name().name() == name)
 }
 
-/// The first of them.
+/// The elements with this name, however deep they stand in one: CODESYS keeps those of an application beside its tasks.
+pub(crate) fn within<'a, 'x: 'a>(
+    of: Node<'a, 'x>,
+    name: &'static str,
+) -> impl Iterator<Item = Node<'a, 'x>> {
+    of.descendants()
+        .filter(move |node| node.is_element() && node.tag_name().name() == name)
+}
+
+/// The first of those right within it.
 pub(crate) fn first<'a, 'x>(of: Node<'a, 'x>, name: &'static str) -> Option<Node<'a, 'x>> {
     all(of, name).next()
 }

@@ -142,13 +142,34 @@ pub(super) fn keep(flat: &mut Flat, uses: Uses) -> Uses {
         }
     }
     let body = std::mem::take(&mut flat.body);
-    let keeper = Keeper {
+    let mut timers: Vec<(u32, Standard)> = uses
+        .blocks
+        .iter()
+        .filter(|(timer, _)| again.contains(timer))
+        .map(|(timer, called)| (*timer, called.block))
+        .collect();
+    timers.sort_unstable_by_key(|(timer, _)| *timer);
+    let mut within_loops = HashSet::new();
+    looped(&body, &mut within_loops);
+    let mut keeper = Keeper {
         again,
         uses,
         now,
         held,
+        follows: HashSet::new(),
+        looped: within_loops,
     };
-    flat.body = keeper.steps(body);
+    let mut steps: Vec<Step> = timers
+        .into_iter()
+        .filter_map(|(timer, block)| {
+            let at = Span::default();
+            let does = keeper.timer(timer, at).stands(block)?;
+            let shown = false;
+            Some(Step { does, at, shown })
+        })
+        .collect();
+    steps.extend(keeper.steps(body));
+    flat.body = steps;
     Uses::of(flat)
 }
 
@@ -159,22 +180,37 @@ struct Keeper {
     now: u32,
     /// Those of a preset and of IN while a call works.
     held: [u32; 2],
+    /// The timers that may be called again in this scan, behind where it is.
+    follows: HashSet<u32>,
+    /// Those that are called within a loop.
+    looped: HashSet<u32>,
 }
 
 impl Keeper {
-    fn steps(&self, steps: Vec<Step>) -> Vec<Step> {
+    /// From the last step to the first.
+    fn steps(&mut self, steps: Vec<Step>) -> Vec<Step> {
         let mut out = Vec::with_capacity(steps.len());
-        for mut step in steps {
+        for mut step in steps.into_iter().rev() {
             let at = step.at;
             let made = match &step.does {
                 Does::Standard(block, cell, inputs) if self.again.contains(cell) => {
-                    self.timer(*cell, at).call(*block, inputs)
+                    let made = self.timer(*cell, at).call(*block, inputs);
+                    self.follows.insert(*cell);
+                    made
                 }
                 Does::Order(order, block, cell) if self.again.contains(cell) => {
                     self.timer(*cell, at).order(order, *block)
                 }
                 _ => {
-                    step.does = step.does.with_inner(&mut |steps| self.steps(steps));
+                    let behind = self.follows.clone();
+                    let mut all = behind.clone();
+                    step.does = step.does.with_inner(&mut |steps| {
+                        self.follows.clone_from(&behind);
+                        let steps = self.steps(steps);
+                        all.extend(&self.follows);
+                        steps
+                    });
+                    self.follows = all;
                     out.push(step);
                     continue;
                 }
@@ -184,8 +220,9 @@ impl Keeper {
                 at,
                 shown: false,
             };
-            out.extend(made.into_iter().map(step));
+            out.extend(made.into_iter().rev().map(step));
         }
+        out.reverse();
         out
     }
 
@@ -196,8 +233,41 @@ impl Keeper {
             held: self.held,
             at,
             shows: self.uses.get(cell + ET).is_some_and(|of| of.reads > 0),
+            follows: self.follows.contains(&cell) || self.looped.contains(&cell),
         }
     }
+}
+
+/// The timers that are called between a label and a jump back to it.
+fn looped(steps: &[Step], all: &mut HashSet<u32>) {
+    for (at, step) in steps.iter().enumerate() {
+        within(&step.does)
+            .into_iter()
+            .for_each(|inner| looped(inner, all));
+        let Does::Label(label) = step.does else {
+            continue;
+        };
+        let last = steps.iter().rposition(|step| leads_to(step, label));
+        if let Some(turn) = last.and_then(|last| steps.get(at..=last)) {
+            turn.iter().for_each(|step| called(step, all));
+        }
+    }
+}
+
+fn leads_to(step: &Step, label: u32) -> bool {
+    matches!(step.does, Does::Jump(_, to, _) if to == label)
+        || within(&step.does)
+            .into_iter()
+            .flatten()
+            .any(|step| leads_to(step, label))
+}
+
+fn called(step: &Step, all: &mut HashSet<u32>) {
+    if let Does::Standard(_, cell, _) = step.does {
+        all.insert(cell);
+    }
+    let inner = within(&step.does).into_iter().flatten();
+    inner.for_each(|step| called(step, all));
 }
 
 /// A timer in cells, at one of its calls.
@@ -208,6 +278,8 @@ struct Timer {
     at: Span,
     /// Whether something reads ET.
     shows: bool,
+    /// Whether it may be called again in this scan.
+    follows: bool,
 }
 
 impl Timer {
@@ -312,30 +384,65 @@ impl Timer {
         does
     }
 
+    /// Its time would begin now, where the next call may follow in this scan; each scan begins with that anyway.
+    fn begins_anew(&self) -> Option<Does> {
+        self.follows.then(|| self.set(BEGAN, self.now()))
+    }
+
+    /// What each scan begins with: while its time stands, it would begin now.
+    fn stands(&self, block: Standard) -> Option<Does> {
+        let stands = match block {
+            Standard::Ton => not(self.bit(BEFORE)),
+            Standard::Tof => self.bit(BEFORE),
+            _ => return None,
+        };
+        let now = vec![self.set(BEGAN, self.now())];
+        Some(self.when(stands, now, Vec::new()))
+    }
+
     fn on_delay(&self, on: Expr, over: Expr, preset: Expr) -> Vec<Does> {
-        let begins = vec![self.put(BEFORE, true), self.set(BEGAN, self.now())];
-        let mut runs = vec![self.when(not(self.bit(BEFORE)), begins, Vec::new())];
-        runs.extend(self.show(self.elapsed()));
+        if known(&on).is_none() && !self.shows {
+            let is_over = both(Binary::And, self.bit(BEFORE), over);
+            let mut stands = vec![self.put(Q, false)];
+            stands.extend(self.begins_anew());
+            return vec![
+                self.set(BEFORE, on),
+                self.when(is_over, vec![self.put(Q, true)], Vec::new()),
+                self.when(not(self.bit(BEFORE)), stands, Vec::new()),
+            ];
+        }
+        let mut runs = vec![self.put(BEFORE, true)];
         let mut done = vec![self.put(Q, true)];
-        done.extend(self.show(preset));
-        runs.push(self.when(both(Binary::Or, self.bit(Q), over), done, Vec::new()));
+        let over = match self.shows {
+            true => {
+                runs.extend(self.show(self.elapsed()));
+                done.extend(self.show(preset));
+                both(Binary::Or, self.bit(Q), over)
+            }
+            false => over,
+        };
+        runs.push(self.when(over, done, Vec::new()));
         let mut stands = vec![self.put(BEFORE, false), self.put(Q, false)];
+        stands.extend(self.begins_anew());
         stands.extend(self.show(self.none()));
         self.either(on, runs, stands)
     }
 
     fn off_delay(&self, on: Expr, over: Expr, preset: Expr) -> Vec<Does> {
         let mut stands = vec![self.put(BEFORE, true), self.put(Q, true)];
+        stands.extend(self.begins_anew());
         stands.extend(self.show(self.none()));
-        let begins = vec![self.put(BEFORE, false), self.set(BEGAN, self.now())];
+        let mut falls = vec![self.put(BEFORE, false)];
         let mut done = vec![self.put(Q, false)];
-        done.extend(self.show(preset));
-        let runs = self.show(self.elapsed()).into_iter().collect();
-        let looks = vec![self.when(over, done, runs)];
-        let falls = vec![
-            self.when(self.bit(BEFORE), begins, Vec::new()),
-            self.when(self.bit(Q), looks, Vec::new()),
-        ];
+        falls.push(match self.shows {
+            true => {
+                done.extend(self.show(preset));
+                let runs = self.show(self.elapsed()).into_iter().collect();
+                let looks = vec![self.when(over, done, runs)];
+                self.when(self.bit(Q), looks, Vec::new())
+            }
+            false => self.when(over, done, Vec::new()),
+        });
         self.either(on, stands, falls)
     }
 
@@ -383,8 +490,10 @@ impl Timer {
             Order::Preset(value) => vec![self.set(PT, value.clone())],
             Order::Reset => {
                 let mut all = vec![self.put(BEFORE, false), self.put(Q, false)];
-                if block == Standard::Tonr {
-                    all.push(self.set(BEGAN, self.none()));
+                match block {
+                    Standard::Ton => all.extend(self.begins_anew()),
+                    Standard::Tonr => all.push(self.set(BEGAN, self.none())),
+                    _ => {}
                 }
                 all.extend(self.show(self.none()));
                 all

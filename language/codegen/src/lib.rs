@@ -11,6 +11,7 @@
 //!
 //! - `lacks`: types and functions that the board lacks, told before all else
 //! - `flat`: steps without calls; `inline`, `calls`, `values`, `loops`, `pure`: the way there
+//! - `turns`: loops that cost too much, written once for each turn
 //! - `merge`: what is put aside and used once goes where it is used; inputs of timers and counters to their calls
 //! - `again`: timers that are called more than once
 //! - `counts`: numbers of counters, which are wider than their type
@@ -71,6 +72,7 @@ mod shifts;
 mod statements;
 mod subscripts;
 mod traces;
+mod turns;
 mod uses;
 mod values;
 mod variables;
@@ -79,13 +81,14 @@ mod verbatim;
 pub use emit::{CodeLine, file};
 
 use places::Places;
+use std::collections::HashSet;
 use std::sync::Arc;
 pub use traces::{Shows, Trace};
 use unoclp_checked::{Checked, SourceMap, Work};
 use unoclp_core::Board;
 use unoclp_text::Dialect;
 use unoclp_text::comments::{self, Comments};
-use unoclp_text::diagnostics::{Found, Lines, Severity, Span, Told};
+use unoclp_text::diagnostics::{Code, Found, Lines, Severity, Span, Told};
 use unoclp_tree::{Read, Tree, UnitKind, Units, Written};
 pub use variables::{Held, Holding, Variable, literal};
 
@@ -168,17 +171,56 @@ pub fn compile(text: &str, read: Read, board: Board, mut found: Found) -> Compil
             dialect: None,
             drawn: None,
         });
-        lower(text, tree, written, board, &mut found, &mut made);
+        lower_cheaply(text, tree, &written, board, &mut found, &mut made);
     }
     made.tree = tree;
+    found.within(text.len());
     made.diagnostics = found.finish();
     made
+}
+
+/// So many times loops are written out, each time those that have been found too dear.
+const MOST_TRIES: usize = 4;
+
+/// Lowers a tree; where a loop in it would cost more than a scan can spend, and that alone is wrong, with it written out.
+fn lower_cheaply(
+    text: &str,
+    tree: &Tree,
+    written: &Written,
+    board: Board,
+    found: &mut Found,
+    made: &mut CompiledText,
+) {
+    let before = found.clone();
+    lower(text, tree, written, board, found, made);
+    let mut dear = HashSet::new();
+    let mut loops = found.place_of(Code::BoardLoop);
+    for _ in 0..MOST_TRIES {
+        if loops.is_none_or(|at| !dear.insert(at)) {
+            return;
+        }
+        let Some(tree) = turns::written_out(tree, &dear) else {
+            return;
+        };
+        let mut own = before.clone();
+        let mut other = CompiledText {
+            dialect: made.dialect,
+            is_drawn: made.is_drawn,
+            ..CompiledText::default()
+        };
+        lower(text, &tree, written, board, &mut own, &mut other);
+        if !own.has_errors() {
+            (*found, *made) = (own, other);
+            return;
+        }
+        loops = own.place_of(Code::BoardLoop);
+    }
 }
 
 fn lower(
     text: &str,
     tree: &Tree,
-    written: Written,
+    written: &Written,
     board: Board,
     found: &mut Found,
     made: &mut CompiledText,
@@ -234,9 +276,10 @@ fn lower(
     }
     let starts = Lines::new(text);
     let comments = Comments::new(text, &starts, &written.comments);
-    let units = written.units.unwrap_or_else(|| units(tree, text));
+    let own = written.units.clone();
+    let units = own.unwrap_or_else(|| units(tree, text));
     let mut places = Places::new(text, &starts, units, comments);
-    places.instructions = written.instructions;
+    places.instructions.clone_from(&written.instructions);
     made.program = emit::check(text, &made.lines, &finished.origins, board, places, found);
     if made.program.is_some() {
         made.variables = variables::variables(tree, &seats, &finished.timers);

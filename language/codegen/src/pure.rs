@@ -2,6 +2,7 @@
 //!
 //! Owns questions about the body of a unit: what it stores to, and in which order. Must not know the board.
 
+use super::uses::reach;
 use unoclp_tree::{Expr, ExprKind, Input, Place, Root, Stmt, StmtKind, Tree, Unit};
 
 /// The places that a statement changes, those of the statements within it too.
@@ -269,9 +270,8 @@ pub(super) fn stores_to(statements: &[Stmt], place: &Place) -> bool {
         stores |= leaves_open(statement);
         changed(statement, &mut |to| {
             let near = to.root != place.root
-                || to.offset == place.offset
-                || !to.indices.is_empty()
-                || !place.indices.is_empty();
+                || to.offset <= place.offset.saturating_add(reach(place))
+                    && place.offset <= to.offset.saturating_add(reach(to));
             stores |= near && may_meet(to.root, place.root);
         });
     }

@@ -179,6 +179,7 @@ pub struct CheckedText {
 pub fn check(text: &str, language: TextLanguage, board: Board) -> CheckedText {
     let mut found = Found::default();
     let read = (language.0.read)(text, &Options::on(board), &mut found);
+    found.within(text.len());
     CheckedText {
         tree: read.tree.filter(|_| !found.has_errors()),
         diagnostics: found.finish(),

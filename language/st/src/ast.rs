@@ -146,6 +146,15 @@ pub(super) struct Decl {
     pub at: Option<Name>,
     pub spec: TypeSpec,
     pub initial: Option<Init>,
+    /// `R_EDGE`, which is rising, or `F_EDGE`.
+    pub edge: Option<Edge>,
+}
+
+/// What an input is of the value that a call gives it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    pub is_rising: bool,
+    pub span: Span,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -33,10 +33,22 @@ impl Lexer<'_, '_> {
         self.digits(|byte| byte.is_ascii_alphabetic());
     }
 
+    /// `T# 5s`, as some write it.
+    fn blanks(&mut self) {
+        let rest = self.scan.rest().as_bytes();
+        let blanks = rest.iter().take_while(|byte| b" \t".contains(byte)).count();
+        if rest.get(blanks).is_some_and(u8::is_ascii_digit) {
+            self.scan.at += blanks;
+        }
+    }
+
     /// After `T#`, `INT#`, `Color#`.
     pub(super) fn typed(&mut self, start: usize) {
         let prefix = self.scan.since(start).trim_end_matches('#');
         let prefix = prefix.to_ascii_uppercase();
+        if matches!(prefix.as_str(), "T" | "TIME") {
+            self.blanks();
+        }
         if matches!(self.scan.peek(0), b'-' | b'+') {
             self.scan.at += 1;
         }

@@ -248,6 +248,15 @@ impl Found {
         self.warnings = self.told.len() - self.errors;
     }
 
+    /// Puts what was told behind the first `length` bytes, in a text that was added to this one, at their end.
+    pub fn within(&mut self, length: usize) {
+        let end = length as u32;
+        for diagnostic in &mut self.told {
+            let span = &mut diagnostic.span;
+            (span.start, span.end) = (span.start.min(end), span.end.min(end));
+        }
+    }
+
     /// Takes what others have found.
     pub fn join(&mut self, other: Found) {
         for diagnostic in other.told {

@@ -144,6 +144,17 @@ impl Base {
         matches!(self, Base::Byte | Base::Word | Base::Dword | Base::Lword)
     }
 
+    /// The number without a sign of as many bits; none of what is no bit string.
+    pub fn counted(self) -> Option<Base> {
+        Some(match self {
+            Base::Byte => Base::Usint,
+            Base::Word => Base::Uint,
+            Base::Dword => Base::Udint,
+            Base::Lword => Base::Ulint,
+            _ => return None,
+        })
+    }
+
     /// DATE, TOD or DT.
     pub fn is_date(self) -> bool {
         matches!(self, Base::Date | Base::Tod | Base::Dt)

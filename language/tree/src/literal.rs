@@ -81,7 +81,8 @@ pub fn typed(text: &str) -> Option<Read> {
         "D" | "DATE" => Base::Date,
         upper => Base::named(upper)?,
     };
-    Some(of_type(base, rest))
+    // `T# 5s`, as some write it.
+    Some(of_type(base, rest.trim_start()))
 }
 
 /// The value of this type that a text without quotes spells: `-5`, `2#1010`, `T#20s`, `TRUE`; none if it is none.

@@ -6,6 +6,7 @@ use super::units::standard;
 use crate::circuit::Circuit;
 use crate::found::span;
 use crate::network::Wire;
+use crate::ways::Ways;
 use unoclp_lang::Code;
 use unoclp_lang::typed::{Role, Standard};
 

@@ -6,6 +6,7 @@ use super::what::What;
 use crate::circuit::Circuit;
 use crate::found::span;
 use crate::network::{Reader, Wire};
+use crate::ways::Ways;
 use unoclp_lang::Code;
 use unoclp_lang::typed::usual;
 
@@ -121,30 +122,39 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         Some(())
     }
 
+    /// Stores the result of a function in a variable after it, at the variable's turn; in all of them where power goes on.
+    pub(super) fn store_in(&mut self, at: usize, variable: usize) -> Option<()> {
+        let mut readers = self.network.readers[at].iter();
+        match readers.any(|reader| reader.output.eq_ignore_ascii_case("ENO")) {
+            true => self.store(at),
+            false => self.stores_within(at, &[variable]),
+        }
+    }
+
     /// Stores the result of a function in the variables after it, once.
     pub(super) fn store(&mut self, at: usize) -> Option<()> {
         if !self.stored.insert(at) {
             return Some(());
         }
-        let is_open = self.open.last() == Some(&at);
+        let (variables, _) = self.takers(at);
+        self.stores_within(at, &variables)
+    }
+
+    fn stores_within(&mut self, at: usize, variables: &[usize]) -> Option<()> {
+        let is_open = self.is_at(at);
         if !is_open {
-            if self.open.contains(&at) {
-                self.tell(Code::XmlLoop, at, []);
-                return None;
-            }
-            self.open.push(at);
+            self.descend(at)?;
         }
-        let stored = self.stores(at);
+        let stored = self.stores(at, variables);
         if !is_open {
-            self.open.pop();
+            self.ascend();
         }
         stored
     }
 
-    fn stores(&mut self, at: usize) -> Option<()> {
+    fn stores(&mut self, at: usize, variables: &[usize]) -> Option<()> {
         let network = self.network;
         let enabled = self.enabled(at)?;
-        let (variables, _) = self.takers(at);
         if variables.is_empty() {
             return Some(());
         }
@@ -154,7 +164,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             false => self.applied(at)?,
         };
         for variable in variables {
-            let to = &network.elements[variable];
+            let to = &network.elements[*variable];
             let output = to.wires("").first().map_or("", |wire| wire.output);
             let mut value = value.clone();
             if to.negated() != network.elements[at].is_negated(output) {

@@ -3,6 +3,7 @@
 use super::Body;
 use super::sentences::piece;
 use crate::found::span;
+use crate::ways::Ways;
 use crate::xml::says;
 use unoclp_lang::Code;
 
@@ -33,7 +34,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let network = self.network;
         let element = &network.elements[at];
         let label = element.node.attribute("label").unwrap_or_default();
-        self.look(at, network.elements.len())?;
+        self.spend(at, network.elements.len())?;
         let is_label = |other: &usize| {
             let other = &network.elements[*other];
             other.kind == "label" && other.node.attribute("label") == Some(label)

@@ -28,15 +28,16 @@ pub(crate) use units::Units;
 
 use crate::circuit::Circuit;
 use crate::found::{Found, span};
-use crate::network::{Element, Network, Wire, edge};
+use crate::network::{Element, Network, edge};
 use crate::outputs::{sinks, unknown};
 use crate::project::{Pou, Variable};
+use crate::ways::{Walk, Ways};
 use crate::xml::says;
 use crate::{pins, unused};
 use roxmltree::Node;
 use sentences::{Piece, Sentences, piece};
 use std::collections::{HashMap, HashSet};
-use unoclp_lang::{Code, Span, Word};
+use unoclp_lang::{Code, Span};
 
 /// A body as Structured Text.
 #[derive(Default)]
@@ -89,14 +90,12 @@ pub(crate) fn write<'a, 'x: 'a>(
         enos: HashMap::new(),
         shares: shares(&network, units),
         jumps: HashMap::new(),
-        known: HashMap::new(),
         enabled: HashMap::new(),
         names: HashMap::new(),
         kinds: HashMap::new(),
         words: HashMap::new(),
-        open: Vec::new(),
+        walk: Walk::default(),
         since: 0,
-        work: 0,
     };
     body.taken.insert(pou.name.to_uppercase());
     if network.is_blocks {
@@ -160,7 +159,6 @@ struct Body<'b, 'a, 'x> {
     enos: HashMap<usize, Eno>,
     /// Whether something that a diagram calls reaches beyond itself.
     shares: bool,
-    known: HashMap<Wire<'a>, Option<Circuit>>,
     /// The ways to EN.
     enabled: HashMap<usize, Option<Circuit>>,
     /// The variables that keep the results of functions.
@@ -169,10 +167,9 @@ struct Body<'b, 'a, 'x> {
     kinds: HashMap<usize, String>,
     /// What the leaves of circuits say.
     words: HashMap<crate::circuit::Key, Vec<Piece>>,
-    open: Vec<usize>,
-    /// Of a diagram: how many of these were open when the last block began.
+    walk: Walk<'a>,
+    /// Of a diagram: how many elements were open when the last block began.
     since: usize,
-    work: usize,
 }
 
 /// What ENO of a block says.
@@ -275,7 +272,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         if let [wire] = element.wires("")
             && self.is_stored_by(wire.from, wire.output)
         {
-            return self.store(wire.from);
+            return self.store_in(wire.from, at);
         }
         let circuit = self.input(at, "")?;
         let value = self.said(&circuit, element.negated());
@@ -301,9 +298,5 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let place = span(self.network.elements[at].node);
         self.added.push((name.clone(), kind.to_owned(), place));
         name
-    }
-
-    fn tell<const N: usize>(&mut self, code: Code, at: usize, words: [Word; N]) {
-        self.network.tell(self.found, code, at, words);
     }
 }

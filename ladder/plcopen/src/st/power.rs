@@ -3,44 +3,14 @@
 use super::Body;
 use super::sentences::{Piece, inverted, piece};
 use super::what::What;
-use crate::circuit::{Circuit, Item, Key, Leaf, leaves, together};
-use crate::found::span;
-use crate::network::{DEEPEST, Wire, edge};
+use crate::circuit::{Circuit, Item, Key, Leaf, leaves};
+use crate::found::{Found, span};
+use crate::network::{Network, Wire, edge};
+use crate::ways::{Walk, Ways};
 use crate::xml::says;
 use unoclp_lang::{Code, Span};
 
-/// An expression has no more parts.
-const LARGEST: usize = 2_000;
-
-/// All expressions of a body have no more.
-const MOST_WORK: usize = 1_000_000;
-
 impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
-    /// The way to an input of an element; none where something is wrong, which is told.
-    pub(super) fn input(&mut self, at: usize, name: &str) -> Option<Circuit> {
-        let network = self.network;
-        let pin = network.elements[at].input(name);
-        let Some(pin) = pin.filter(|pin| !pin.wires.is_empty()) else {
-            let what = match name {
-                "" => ("it", "ele").into(),
-                name => name.into(),
-            };
-            self.tell(Code::XmlPin, at, [what]);
-            return None;
-        };
-        let mut ways = Vec::with_capacity(pin.wires.len());
-        for &wire in &pin.wires {
-            let way = self.source(wire)?;
-            self.spend(at, &way)?;
-            ways.push(way);
-        }
-        let circuit = match ways.len() {
-            1 => ways.remove(0),
-            _ => together(ways),
-        };
-        Some(circuit)
-    }
-
     /// What leads to an input, as it is written there.
     pub(super) fn given(&mut self, at: usize, name: &str) -> Option<Vec<Piece>> {
         let circuit = self.input(at, name)?;
@@ -53,71 +23,6 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             "" => value,
             edge => self.after_edge(at, edge, value),
         })
-    }
-
-    /// The way to the beginning of a wire.
-    pub(super) fn source(&mut self, wire: Wire<'a>) -> Option<Circuit> {
-        if let Some(known) = self.known.get(&wire) {
-            return known.clone();
-        }
-        let at = wire.from;
-        // Wires that lead back to a block bring what it gave before.
-        if self.own[at] == What::Block && self.begun.contains_key(&at) {
-            return self.gives(wire);
-        }
-        if let Some(name) = self.names.get(&at)
-            && self.open.contains(&at)
-            && !wire.output.eq_ignore_ascii_case("ENO")
-        {
-            let said = vec![piece(&name.clone(), span(self.network.elements[at].node))];
-            return Some(vec![self.leaf((at, 1), said)]);
-        }
-        if self.open.contains(&at) {
-            self.tell(Code::XmlLoop, at, []);
-            return None;
-        }
-        if self.open.len() >= DEEPEST {
-            self.too_large(at);
-            return None;
-        }
-        self.open.push(at);
-        let circuit = self.begin(wire);
-        self.open.pop();
-        self.known.insert(wire, circuit.clone());
-        circuit
-    }
-
-    fn begin(&mut self, wire: Wire<'a>) -> Option<Circuit> {
-        let network = self.network;
-        let at = wire.from;
-        let element = &network.elements[at];
-        match element.kind {
-            "leftPowerRail" => Some(Circuit::new()),
-            "contact" => self.contact(at),
-            "coil" => self.input(at, ""),
-            "inVariable" | "inOutVariable" => {
-                let place = span(element.node);
-                let mut said = vec![piece(&operand(&element.written), place)];
-                if element.negated() {
-                    said = inverted(said, place);
-                }
-                Some(vec![self.leaf((at, 0), said)])
-            }
-            "continuation" => {
-                let connector = network.continued_from(at, self.found)?;
-                self.input(connector, "")
-            }
-            "block" if self.own[at] == What::Block => {
-                self.block(at)?;
-                self.gives(wire)
-            }
-            "block" if self.own[at].is_function() => self.function(wire),
-            "block" => self.unknown(at),
-            kind => {
-                self.tell(Code::XmlElement, at, [kind.into()]);
-                None
-            }
-        }
     }
 
     fn contact(&mut self, at: usize) -> Option<Circuit> {
@@ -137,12 +42,6 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
         let leaf = self.leaf((at, 0), said);
         circuit.push(leaf);
-        // Power that parts stays what it was, whatever the first coil after it writes.
-        let readers = network.readers[at].iter();
-        let readers = readers.filter(|reader| !network.is_end(reader.at));
-        if self.rewrites[at] && readers.count() > 1 {
-            circuit = self.keep(at, &circuit);
-        }
         Some(circuit)
     }
 
@@ -230,32 +129,73 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
             }
         }
     }
+}
 
-    /// Counts the parts of a circuit; none where they are too many, which is told.
-    fn spend(&mut self, at: usize, circuit: &[Item]) -> Option<()> {
-        let mut parts = 1;
+impl<'n, 'a, 'x: 'a> Ways<'n, 'a, 'x> for Body<'n, 'a, 'x> {
+    const MOST_WORK: usize = 1_000_000;
+    const COPIED: usize = 1;
+
+    fn network(&self) -> &'n Network<'a, 'x> {
+        self.network
+    }
+
+    fn found(&mut self) -> &mut Found {
+        self.found
+    }
+
+    fn walk(&mut self) -> &mut Walk<'a> {
+        &mut self.walk
+    }
+
+    fn parts(&self, circuit: &Circuit) -> usize {
+        let mut parts = 0;
         leaves(circuit, &mut |leaf| {
             parts += self.words.get(&leaf.key).map_or(1, Vec::len);
         });
-        if parts > LARGEST {
-            self.too_large(at);
-            return None;
-        }
-        self.look(at, parts)
+        parts
     }
 
-    /// Counts what is looked at for an element; none where it is too much, which is told.
-    pub(super) fn look(&mut self, at: usize, parts: usize) -> Option<()> {
-        self.work += parts;
-        if self.work > MOST_WORK {
-            self.too_large(at);
+    /// Wires that lead back to a block bring what it gave before.
+    fn back(&mut self, wire: Wire<'a>) -> Option<Option<Circuit>> {
+        let at = wire.from;
+        if self.own[at] == What::Block && self.begun.contains_key(&at) {
+            return Some(self.gives(wire));
+        }
+        let name = self.names.get(&at)?;
+        if !self.walk.open.contains(&at) || wire.output.eq_ignore_ascii_case("ENO") {
             return None;
         }
-        Some(())
+        let said = vec![piece(&name.clone(), span(self.network.elements[at].node))];
+        Some(Some(vec![self.leaf((at, 1), said)]))
     }
 
-    pub(super) fn too_large(&mut self, at: usize) {
-        self.network.too_large(at, self.found);
+    fn at_contact(&mut self, at: usize) -> Option<Circuit> {
+        self.contact(at)
+    }
+
+    fn at_coil(&mut self, at: usize) -> Option<Circuit> {
+        self.input(at, "")
+    }
+
+    fn at_value(&mut self, at: usize) -> Option<Circuit> {
+        let element = &self.network.elements[at];
+        let place = span(element.node);
+        let mut said = vec![piece(&operand(&element.written), place)];
+        if element.negated() {
+            said = inverted(said, place);
+        }
+        Some(vec![self.leaf((at, 0), said)])
+    }
+
+    fn at_block(&mut self, wire: Wire<'a>) -> Option<Circuit> {
+        match self.own[wire.from] {
+            What::Block => {
+                self.block(wire.from)?;
+                self.gives(wire)
+            }
+            own if own.is_function() => self.function(wire),
+            _ => self.unknown(wire.from),
+        }
     }
 }
 

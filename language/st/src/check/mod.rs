@@ -28,7 +28,7 @@ use unoclp_core::Board;
 use unoclp_point::Maker;
 use unoclp_text::diagnostics::{Code, Found, Span, Word};
 use unoclp_text::moved::adapt_at;
-use unoclp_tree::build::{Builder, Closed, Declaring, Letters};
+use unoclp_tree::build::{Builder, Closed, Declaring, EdgeInput, Letters};
 use unoclp_tree::{Tree, TypeId};
 
 /// Types and blocks are made of others no deeper.
@@ -66,6 +66,8 @@ pub struct Checker<'a, 't, 'f> {
     foreign: HashMap<String, bool>,
     /// The charts of the units that have one, whose steps and actions are declared.
     charts: HashMap<usize, (Net, Cells)>,
+    /// The inputs of each unit that are edges.
+    edges: HashMap<usize, Vec<EdgeInput>>,
     /// What is checked is the body of an action.
     in_action: bool,
     /// Whether the text reads ENO of an instance.
@@ -86,6 +88,7 @@ impl<'a, 't, 'f> Checker<'a, 't, 'f> {
             blocks: HashMap::new(),
             foreign: HashMap::new(),
             charts: HashMap::new(),
+            edges: HashMap::new(),
             in_action: false,
             reads_eno: false,
             within: 0,

@@ -1,10 +1,10 @@
 //! Units: their variables, in the order in which they need one another.
 
-use super::super::ast::{self, Decl, Name, SpecKind, Vars};
+use super::super::ast::{self, Decl, Edge, Name, SpecKind, TypeSpec, Vars};
 use super::{Checker, Stage};
 use unoclp_text::diagnostics::Code;
 use unoclp_tree::build::{Section, Traits, both};
-use unoclp_tree::{Base, Kind, TypeId, UnitKind};
+use unoclp_tree::{Base, Kind, Stmt, TypeId, UnitKind};
 
 impl From<ast::Section> for Section {
     fn from(section: ast::Section) -> Section {
@@ -103,10 +103,39 @@ impl Checker<'_, '_, '_> {
         for vars in first.into_iter().chain(then) {
             self.section(vars);
         }
+        self.declare_edges(at);
         self.declare_chart(at);
         self.units[at] = Stage::Done(self.builder.close(unit));
         self.builder.back(before);
         self.within -= 1;
+    }
+
+    /// What sees the edges of the inputs that are declared as such; elsewhere there is none, which is told.
+    fn declare_edges(&mut self, at: usize) {
+        let unit = &self.file.units[at];
+        let sections = unit.vars.iter().chain(&self.file.globals);
+        for vars in sections {
+            let is_input = vars.section == ast::Section::Input && unit.kind != UnitKind::Function;
+            for decl in &vars.decls {
+                let Some(Edge { is_rising, span }) = decl.edge else {
+                    continue;
+                };
+                if !is_input || !is_bool(&decl.spec) {
+                    let help = (
+                        "declare an R_TRIG or F_TRIG, call it with the variable, and read its Q",
+                        "declare um R_TRIG ou F_TRIG, chame-o com a variável e leia o seu Q",
+                    );
+                    let written = self.builder.written(span);
+                    let words = [written.into(), help.into()];
+                    self.builder.tell(Code::StUnsupported, span, words);
+                    continue;
+                }
+                for name in &decl.names {
+                    let edge = self.builder.edge_input(&name.text, is_rising, name.span);
+                    self.edges.entry(at).or_default().extend(edge);
+                }
+            }
+        }
     }
 
     fn section(&mut self, vars: &Vars) {
@@ -214,10 +243,19 @@ impl Checker<'_, '_, '_> {
         for (at, stage) in units.into_iter().enumerate() {
             let Stage::Done(unit) = stage else { continue };
             let before = self.builder.enter(&unit);
-            let mut body = self.statements(&self.file.units[at].body);
+            let edges = self.edges.remove(&at).unwrap_or_default();
+            let edges = edges
+                .into_iter()
+                .flat_map(|edge| self.builder.see_edge(edge));
+            let mut body: Vec<Stmt> = edges.collect();
+            body.extend(self.statements(&self.file.units[at].body));
             body.extend(self.chart(at));
             self.builder.back(before);
             self.builder.body(unit, body);
         }
     }
+}
+
+fn is_bool(spec: &TypeSpec) -> bool {
+    matches!(&spec.kind, SpecKind::Named(name) if name.text.eq_ignore_ascii_case("BOOL"))
 }

@@ -1,6 +1,6 @@
 //! Declarations: sections of variables.
 
-use super::super::ast::{Decl, Name, Section, Vars};
+use super::super::ast::{Decl, Edge, Name, Section, Vars};
 use super::super::token::Kind;
 use super::super::words::Keyword;
 use super::{Parsed, Parser, Told};
@@ -186,16 +186,7 @@ impl Parser<'_, '_> {
         if at.is_none() {
             at = self.located()?;
         }
-        let edge = self.slice(self.token().span).to_uppercase();
-        if matches!(edge.as_str(), "R_EDGE" | "F_EDGE") {
-            let span = self.token().span;
-            let help = (
-                "declare an R_TRIG or F_TRIG, call it with the input, and read its Q",
-                "declare um R_TRIG ou F_TRIG, chame-o com a entrada e leia o seu Q",
-            );
-            self.tell(Code::StUnsupported, span, [edge.into(), help.into()]);
-            return Err(Told);
-        }
+        let edge = self.edge();
         let mut initial = None;
         if self.is(Kind::Equal) {
             let span = self.next().span;
@@ -226,6 +217,19 @@ impl Parser<'_, '_> {
             at,
             spec,
             initial,
+            edge,
         })
+    }
+
+    /// `R_EDGE` or `F_EDGE`, behind a type.
+    fn edge(&mut self) -> Option<Edge> {
+        let span = self.token().span;
+        let is_rising = match &*self.slice(span).to_uppercase() {
+            "R_EDGE" => true,
+            "F_EDGE" => false,
+            _ => return None,
+        };
+        self.next();
+        Some(Edge { is_rising, span })
     }
 }

@@ -533,6 +533,11 @@ macro_rules! st_rows {
         "write {1}({0}); or a qualifier with a time: L, D, SD, DS, SL"
         "o qualificador {0} não leva tempo"
         "escreva {1}({0}); ou um qualificador com tempo: L, D, SD, DS, SL";
+    257 StBitsCounted Warning
+        "{0} is a bit string, which the norm does not compute with: here it is taken as {1}"
+        "declare the variable as {1}"
+        "{0} é uma cadeia de bits, com a qual a norma não calcula: aqui ela é tomada como {1}"
+        "declare a variável como {1}";
         }
     };
 }

@@ -168,6 +168,11 @@ macro_rules! xml_rows {
         "declare it among the global variables of the resource, with its address"
         "nenhuma variável global `{0}` está declarada; por isso uma é criada"
         "declare-a entre as variáveis globais do recurso, com o endereço";
+    536 XmlLoose Warning
+        "{0}: nothing leads to it, so it is left out"
+        "draw a wire to it from the left, or remove it"
+        "{0}: nada chega a ele, e por isso ele é ignorado"
+        "ligue-o a um fio vindo da esquerda, ou apague-o";
     538 XmlSameName Error
         "another unit is called `{0}` too: letters of both cases are alike"
         "rename one of the two"

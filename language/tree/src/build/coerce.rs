@@ -202,6 +202,9 @@ impl Builder<'_, '_> {
             return self.coerce(expr, ty);
         }
         if !expr.base.widens_to(to) {
+            if self.takes_bits(expr.base, to, expr.at) {
+                return self.converted(expr, Convert::Keep, ty);
+            }
             self.told_mismatch(&expr, ty);
             return self.wrong(expr.at);
         }

@@ -181,6 +181,7 @@ impl Builder<'_, '_> {
                 right = false;
                 continue;
             }
+            let subscript = self.counted(subscript);
             if !subscript.base.is_int() || self.is_enum(subscript.ty) {
                 self.told_mismatch(&subscript, TypeId::of(Base::Int));
                 right = false;

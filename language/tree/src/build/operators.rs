@@ -51,6 +51,9 @@ impl Builder<'_, '_> {
             Binary::Modulo => Generic::Int,
             _ => Generic::Num,
         };
+        // What comes of bit strings alone is one again.
+        let bits = self.common_bits(&a, &b);
+        let (a, b) = (self.counted(a), self.counted(b));
         for operand in [&a, &b] {
             if !operand.base.is_of(generic) || self.is_enum(operand.ty) {
                 self.told_operand(symbol(op), generic, operand);
@@ -58,7 +61,11 @@ impl Builder<'_, '_> {
             }
         }
         let (a, b) = self.promoted(a, b);
-        self.joined(op, a, b, at)
+        let all = self.joined(op, a, b, at);
+        match bits {
+            Some(bits) => self.converted(all, Convert::Keep, TypeId::of(bits)),
+            None => all,
+        }
     }
 
     /// What TRUNC comes to is a DINT among operands.
@@ -98,6 +105,10 @@ impl Builder<'_, '_> {
         b: Expr,
         at: Span,
     ) -> Option<(Expr, Expr)> {
+        let (a, b) = match a.base.is_bits() != b.base.is_bits() && a.base.common(b.base).is_none() {
+            true => (self.counted(a), self.counted(b)),
+            false => (a, b),
+        };
         let Some(base) = a.base.common(b.base) else {
             self.told_no_common(name, &a, &b, at);
             return None;

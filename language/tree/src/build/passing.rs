@@ -31,12 +31,15 @@ impl Builder<'_, '_> {
             return None;
         }
         let takes = |p: &Param| p.section != Section::Output;
+        let mut gives = false;
         if with_names == 0 && !arguments.is_empty() {
             let order: Vec<usize> = (0..params.len()).filter(|&i| takes(&params[i].0)).collect();
+            // More than it takes: what it gives too, all in the order of their declarations.
+            gives = arguments.len() > order.len();
             let wrong = match instance {
                 // Fewer are let by: a block keeps its inputs.
-                Some(_) => arguments.len() > order.len(),
-                None => arguments.len() != order.len(),
+                Some(_) => arguments.len() > params.len(),
+                None => gives && arguments.len() != params.len() || arguments.len() < order.len(),
             };
             if wrong && self.lenient {
                 return None;
@@ -73,7 +76,7 @@ impl Builder<'_, '_> {
                     named.copied()
                 }
                 None => {
-                    while params.get(next).is_some_and(|(p, _)| !takes(p)) {
+                    while params.get(next).is_some_and(|(p, _)| !gives && !takes(p)) {
                         next += 1;
                     }
                     next += 1;
@@ -96,7 +99,8 @@ impl Builder<'_, '_> {
                 continue;
             }
             params[slot].1 = true;
-            if argument.out != (param.section == Section::Output) {
+            let is_named = argument.name.is_some();
+            if is_named && argument.out != (param.section == Section::Output) {
                 let (what, sign) = match param.section {
                     Section::Output => (("an output", "uma saída"), "=>"),
                     _ => (("an input", "uma entrada"), ":="),

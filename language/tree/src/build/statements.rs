@@ -119,6 +119,13 @@ impl Builder<'_, '_> {
     ) -> Option<Box<For>> {
         let variable = variable?;
         let base = self.tree.types.base(variable.ty);
+        let base = match base.and_then(|base| Some((base, base.counted()?))) {
+            Some((bits, number)) if !self.is_list => {
+                self.told_counted(bits, number, variable.at);
+                Some(number)
+            }
+            _ => base,
+        };
         let counts = base.is_some_and(Base::is_int) && !self.is_enum(variable.ty);
         let (Some(base), true, true) = (base, counts, variable.place.indices.is_empty()) else {
             let (written, what) = (self.written(variable.at), self.what_type(variable.ty));

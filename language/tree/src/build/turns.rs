@@ -117,7 +117,7 @@ impl Builder<'_, '_> {
 }
 
 /// Whether statements leave the loop around them, or its turn.
-fn leaves(statements: &[Stmt]) -> bool {
+pub fn leaves(statements: &[Stmt]) -> bool {
     statements.iter().any(|statement| match &statement.kind {
         StmtKind::Exit | StmtKind::Continue => true,
         StmtKind::If(arms, otherwise) => {

@@ -5,6 +5,7 @@ use super::super::what::What;
 use super::super::{Body, Eno};
 use crate::found::span;
 use crate::network::Wire;
+use crate::ways::Ways;
 use unoclp_lang::Code;
 
 /// A result of more pieces is kept in a variable.
@@ -46,10 +47,10 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         self.begun.insert(at, true);
         let computed = match self.entered(at) {
             Some(()) => {
-                let since = std::mem::replace(&mut self.since, self.open.len());
+                let since = std::mem::replace(&mut self.since, self.walk.open.len());
                 let computed = self.compute_now(at);
                 self.since = since;
-                self.open.pop();
+                self.walk.open.pop();
                 computed
             }
             None => None,

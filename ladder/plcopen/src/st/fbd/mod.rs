@@ -112,6 +112,7 @@ fn turns(network: &Network<'_, '_>) -> Vec<usize> {
     let elements = network.elements.iter().enumerate();
     let acts = elements.filter(|(_, element)| match element.kind {
         "inOutVariable" => !element.wires("").is_empty(),
+        _ if element.is_loose() => false,
         kind => matches!(kind, "outVariable" | "jump" | "return" | "block"),
     });
     let mut turns: Vec<usize> = acts.map(|(at, _)| at).collect();

@@ -6,6 +6,7 @@ use super::super::sentences::{Piece, inverted, piece};
 use super::super::what::What;
 use super::grouped;
 use crate::found::span;
+use crate::ways::Ways;
 use unoclp_lang::Code;
 use unoclp_lang::typed::usual;
 

@@ -7,6 +7,7 @@ use super::super::what::What;
 use super::grouped;
 use crate::found::span;
 use crate::network::{DEEPEST, Wire};
+use crate::ways::Ways;
 use unoclp_lang::Code;
 
 impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
@@ -32,7 +33,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         if !pin.edge.is_empty() {
             value = self.after_edge(at, pin.edge, value);
         }
-        self.look(at, value.len())?;
+        self.spend(at, value.len())?;
         Some(value)
     }
 
@@ -72,7 +73,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
                     true => self.led(connector, ""),
                     false => self.joined(wires, waits),
                 };
-                self.open.pop();
+                self.walk.open.pop();
                 value
             }
             "block" if self.own[at] == What::Unknown => self.unknown(at),
@@ -81,7 +82,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
                 let said = if is_inline {
                     self.entered(at)?;
                     let said = self.inline(at);
-                    self.open.pop();
+                    self.walk.open.pop();
                     said?
                 } else {
                     if !waits {
@@ -104,16 +105,16 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
 
     /// Goes into an element; none where wires alone have led back to it, or too deep, which is told.
     pub(super) fn entered(&mut self, at: usize) -> Option<()> {
-        let after_block = self.open.get(self.since..).unwrap_or_default();
+        let after_block = self.walk.open.get(self.since..).unwrap_or_default();
         if after_block.contains(&at) {
             self.tell(Code::XmlLoop, at, []);
             return None;
         }
-        if self.open.len() >= DEEPEST {
+        if self.walk.open.len() >= DEEPEST {
             self.too_large(at);
             return None;
         }
-        self.open.push(at);
+        self.walk.open.push(at);
         Some(())
     }
 }
