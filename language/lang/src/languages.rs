@@ -6,6 +6,7 @@ use unoclp_codegen::CompiledText;
 use unoclp_core::Board;
 use unoclp_text::colour::{Colour, painted};
 use unoclp_text::diagnostics::{Found, Lang, Span, Told};
+#[cfg(feature = "assist")]
 use unoclp_text::outline::Outline;
 use unoclp_tree::{FrontEnd, Options, Painted, Tree};
 
@@ -37,7 +38,9 @@ impl TextLanguage {
         title: ["Structured Text", "Texto Estruturado"],
         begins: weighed,
         colours: |text| unoclp_st::colours(text, unoclp_st::Dialect::Iec),
+        #[cfg(feature = "assist")]
         outline: |text| unoclp_st::outline(text, unoclp_st::Dialect::Iec),
+        #[cfg(feature = "assist")]
         vocabulary: unoclp_st::vocabulary,
         read: |text, options, found| {
             unoclp_st::check(text, unoclp_st::Dialect::Iec, options.board, found).into()
@@ -49,7 +52,9 @@ impl TextLanguage {
         title: ["SCL", "SCL"],
         begins: weighed,
         colours: |text| unoclp_st::colours(text, unoclp_st::Dialect::Scl),
+        #[cfg(feature = "assist")]
         outline: |text| unoclp_st::outline(text, unoclp_st::Dialect::Scl),
+        #[cfg(feature = "assist")]
         vocabulary: unoclp_st::vocabulary,
         read: |text, options, found| {
             unoclp_st::check(text, unoclp_st::Dialect::Scl, options.board, found).into()
@@ -61,7 +66,9 @@ impl TextLanguage {
         title: ["InterSCL", "InterSCL"],
         begins: weighed,
         colours: unoclp_iscl::colours,
+        #[cfg(feature = "assist")]
         outline: unoclp_iscl::outline,
+        #[cfg(feature = "assist")]
         vocabulary: unoclp_iscl::vocabulary,
         read: |text, options, found| unoclp_iscl::check(text, options.board, found).into(),
     });
@@ -71,7 +78,9 @@ impl TextLanguage {
         title: ["LCE", "LCE"],
         begins: weighed,
         colours: unoclp_lce::colours,
+        #[cfg(feature = "assist")]
         outline: unoclp_lce::outline,
+        #[cfg(feature = "assist")]
         vocabulary: unoclp_lce::vocabulary,
         read: |text, options, found| unoclp_lce::check(text, options.board, found).into(),
     });
@@ -81,7 +90,9 @@ impl TextLanguage {
         title: ["Instruction List", "Lista de Instruções"],
         begins: weighed,
         colours: unoclp_il::colours,
+        #[cfg(feature = "assist")]
         outline: unoclp_il::outline,
+        #[cfg(feature = "assist")]
         vocabulary: unoclp_il::vocabulary,
         read: unoclp_il::read,
     });
@@ -126,11 +137,13 @@ impl TextLanguage {
     }
 
     /// What a text declares, and where: of one with mistakes too.
+    #[cfg(feature = "assist")]
     pub fn outline(self, text: &str) -> Outline {
         (self.0.outline)(text)
     }
 
     /// The words that have a meaning of their own.
+    #[cfg(feature = "assist")]
     pub fn vocabulary(self) -> Vec<&'static str> {
         (self.0.vocabulary)()
     }

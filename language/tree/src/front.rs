@@ -8,6 +8,7 @@ use unoclp_core::Board;
 use unoclp_text::Dialect;
 use unoclp_text::colour::Colour;
 use unoclp_text::diagnostics::{Found, Span};
+#[cfg(feature = "assist")]
 use unoclp_text::outline::Outline;
 
 /// The words of a text in the order of their places, and what each is.
@@ -28,8 +29,10 @@ pub struct FrontEnd {
     /// The words of a text. What stands between two of them is a comment, or means nothing.
     pub colours: fn(text: &str) -> Painted,
     /// What a text declares, and where: of one with mistakes too.
+    #[cfg(feature = "assist")]
     pub outline: fn(text: &str) -> Outline,
     /// The words that have a meaning of their own, as one writes them.
+    #[cfg(feature = "assist")]
     pub vocabulary: fn() -> Vec<&'static str>,
     /// What a text means; what is wrong with it is told.
     pub read: fn(text: &str, options: &Options, found: &mut Found) -> Read,

@@ -4,11 +4,15 @@ use crate::answer::answer;
 use crate::given::Given;
 use crate::program;
 use crate::words::{self, Both, No, both};
-use unoclp_draw::{Look, Medium, Style, to_blocks, to_screen};
+#[cfg(feature = "full")]
+use unoclp_draw::to_blocks;
+use unoclp_draw::{Look, Medium, Style, to_screen};
+use unoclp_program::Lang;
+#[cfg(feature = "full")]
+use unoclp_program::Source;
 use unoclp_program::list::title;
 #[cfg(feature = "full")]
 use unoclp_program::list::{Form, Lost, Paper, list, pages, plcopen, svg};
-use unoclp_program::{Lang, Source};
 use unoclp_workspace::Analysis;
 
 /// The language of what is drawn.
@@ -100,7 +104,10 @@ pub fn ladder(
     let (map, title, label) = (&source.map, title(speak.into()), &source.name);
     let svg = match look {
         Look::Ladder => to_screen(&ladder.draw(&style), map, names, &title, label),
+        #[cfg(feature = "full")]
         Look::Blocks => to_blocks(ladder, &style, map, &title, label),
+        #[cfg(not(feature = "full"))]
+        Look::Blocks => return Err(No::More),
     };
     let code = source.is_code();
     Ok(LadderDrawn { svg, code })

@@ -116,6 +116,7 @@ impl Client {
         }
     }
 
+    #[cfg(feature = "more")]
     pub(crate) fn link(&self) -> &Link {
         &self.link
     }

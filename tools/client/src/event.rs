@@ -2,6 +2,7 @@
 
 use crate::client::Failure;
 use crate::diagnostics::{Diagnostics, Kept, Trouble};
+#[cfg(feature = "more")]
 use crate::download::Unread;
 use crate::identity::Identity;
 use crate::settings::Settings;
@@ -34,10 +35,12 @@ pub enum Event<'e> {
     /// This is no longer forced, since an upload.
     Released(Forced),
     /// The program that it keeps, as numeric code.
+    #[cfg(feature = "more")]
     Fetched(&'e str),
     /// What it keeps for its next start.
     Settings(Settings),
     /// A firmware is on its way.
+    #[cfg(feature = "more")]
     Flashing(unoclp_boot::Progress),
     /// What was ordered is done.
     Done(Done),
@@ -62,8 +65,10 @@ pub enum Done {
     /// A program is on it.
     Uploaded(Behind),
     /// It keeps settings.
+    #[cfg(feature = "more")]
     Settled(Settled),
     /// A firmware is on it, and begins.
+    #[cfg(feature = "more")]
     Flashed,
 }
 
@@ -85,10 +90,13 @@ pub enum Undone {
     /// The program is stored, but the board does not begin it.
     NotStarted(Failure),
     /// The program that it keeps was not read.
+    #[cfg(feature = "more")]
     Unread(Unread),
     /// The settings are as they were.
+    #[cfg(feature = "more")]
     Unsettled(Unsettled),
     /// The firmware is not on it.
+    #[cfg(feature = "more")]
     NotFlashed(unoclp_boot::Failure),
 }
 
@@ -134,6 +142,7 @@ impl From<Failure> for Undone {
     }
 }
 
+#[cfg(feature = "more")]
 impl From<Unread> for Undone {
     fn from(why: Unread) -> Undone {
         match why {
@@ -149,6 +158,7 @@ impl From<Broken> for Undone {
     }
 }
 
+#[cfg(feature = "more")]
 impl From<Unsettled> for Undone {
     fn from(why: Unsettled) -> Undone {
         Undone::Unsettled(why)

@@ -25,8 +25,10 @@
 pub mod client;
 mod conversation;
 pub mod diagnostics;
+#[cfg(feature = "more")]
 pub mod download;
 pub mod event;
+#[cfg(feature = "more")]
 pub mod flash;
 pub mod identity;
 mod link;
@@ -35,6 +37,7 @@ pub mod order;
 pub mod point;
 pub mod session;
 pub mod settings;
+#[cfg(feature = "more")]
 pub mod settle;
 pub mod start;
 pub mod upload;

@@ -59,16 +59,19 @@ impl Mailbox {
 
 impl Link {
     /// How bytes are sent.
+    #[cfg(feature = "more")]
     pub fn format(&self) -> Format {
         self.0.format.get()
     }
 
     /// Has bytes sent so from now on.
+    #[cfg(feature = "more")]
     pub fn speak(&self, format: Format) {
         self.0.format.set(format);
     }
 
     /// Has the board reset before anything else is sent. What has come before that is forgotten.
+    #[cfg(feature = "more")]
     pub fn reset(&self) {
         self.0.came.take();
         self.0.reset.set(true);

@@ -2,16 +2,20 @@
 
 use crate::client::{Client, Failure};
 use crate::diagnostics::Diagnostics;
+#[cfg(feature = "more")]
 use crate::download::download;
 use crate::event::Event;
 pub use crate::event::{Done, Refusal, Undone};
+#[cfg(feature = "more")]
 use crate::flash::flash;
 use crate::map::{Command, State, flag};
 use crate::point;
 use crate::settings::Settings;
+#[cfg(feature = "more")]
 use crate::settle::settle;
 use crate::upload::Upload;
 use crate::watch::{Side, command, force, release};
+#[cfg(feature = "more")]
 use unoclp_boot::{Image, Writer};
 use unoclp_modbus::Exception;
 use unoclp_point::Address;
@@ -30,12 +34,15 @@ pub enum Order {
     /// Put a program on it.
     Upload(Box<Upload>),
     /// Tell the program that it keeps.
+    #[cfg(feature = "more")]
     Fetch,
     /// Tell its settings.
     Settings,
     /// Keep these settings: the lock holds at once, all else from the next start on.
+    #[cfg(feature = "more")]
     Settle(Settings),
     /// Write a firmware by its boot loader. It is sought again then.
+    #[cfg(feature = "more")]
     Flash(Box<Image>),
 }
 
@@ -49,6 +56,14 @@ pub(crate) enum Change {
 }
 
 impl Order {
+    /// Whether it is written by a boot loader, which takes no requests.
+    pub(crate) fn is_firmware(&self) -> bool {
+        #[cfg(feature = "more")]
+        return matches!(self, Order::Flash(_));
+        #[cfg(not(feature = "more"))]
+        false
+    }
+
     pub(crate) fn change(&self) -> Change {
         match self {
             Order::Force(..) | Order::Release | Order::Set(..) => Change::Points,
@@ -76,6 +91,7 @@ impl Order {
             }
             Order::Set(point, value) => point::set(client, *point, *value).await,
             Order::Upload(upload) => return upload.put(client, tell).await.map(Done::Uploaded),
+            #[cfg(feature = "more")]
             Order::Fetch => {
                 let board = client.board();
                 let code = download(client, board).await;
@@ -86,11 +102,13 @@ impl Order {
                 tell(Event::Settings(Settings::read(client).await?));
                 Ok(())
             }
+            #[cfg(feature = "more")]
             Order::Settle(new) => {
                 let settled = settle(client, *new).await?;
                 tell(Event::Settings(*new));
                 return Ok(Done::Settled(settled));
             }
+            #[cfg(feature = "more")]
             Order::Flash(image) => {
                 let written = flash(client, &mut Writer::new(image), tell).await;
                 return written.map(|()| Done::Flashed).map_err(Undone::NotFlashed);

@@ -39,7 +39,12 @@ const AGAIN: Duration = Duration::from_secs(1);
 /// Finds the board, watches it, and does what is ordered, until the line is gone. One that has probably been `reset` is given
 /// the time to start.
 pub async fn talk(client: &mut Client, desk: &impl Desk, mut reset: bool) {
-    let wants_firmware = || matches!(desk.orders().borrow().front(), Some(Order::Flash(_)));
+    let wants_firmware = || {
+        desk.orders()
+            .borrow()
+            .front()
+            .is_some_and(Order::is_firmware)
+    };
     loop {
         // A board that gets a firmware need not be found before.
         if let Some(found) = unless(find(client, reset), wants_firmware).await {
@@ -70,7 +75,7 @@ pub async fn talk(client: &mut Client, desk: &impl Desk, mut reset: bool) {
 async fn leave(client: &mut Client, desk: &impl Desk, away: &Away) {
     while let Some(order) = next(desk) {
         match order {
-            Order::Flash(_) => drop(fulfil(client, desk, &order).await),
+            order if order.is_firmware() => drop(fulfil(client, desk, &order).await),
             _ => desk.hear(Event::Undone(&Undone::Away(away.clone()))),
         }
     }
@@ -131,7 +136,7 @@ async fn fulfil(client: &mut Client, desk: &impl Desk, order: &Order) -> Result<
     }
     match order {
         // The board begins again: a request would disturb its boot loader.
-        Order::Flash(_) => Err(Failure::Silent),
+        order if order.is_firmware() => Err(Failure::Silent),
         _ => Ok(()),
     }
 }

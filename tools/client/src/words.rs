@@ -5,6 +5,7 @@
 
 use crate::client::Failure;
 use crate::diagnostics::Trouble;
+#[cfg(feature = "more")]
 use crate::download::Unread;
 use crate::event::{Again, Away, Behind, Broken, Done, Pass, Refusal, Settled, Undone, Unsettled};
 use crate::identity::Identity;
@@ -204,8 +205,11 @@ pub fn away(lang: Lang, away: &Away) -> String {
 /// What has come of an order, where that is more than it says itself.
 pub fn done(lang: Lang, done: Done) -> Option<String> {
     match done {
-        Done::Plainly | Done::Flashed => None,
+        Done::Plainly => None,
+        #[cfg(feature = "more")]
+        Done::Flashed => None,
         Done::Uploaded(is) => Some(behind(lang, is)),
+        #[cfg(feature = "more")]
         Done::Settled(is) => Some(settled(lang, is)),
     }
 }
@@ -221,8 +225,11 @@ pub fn undone(lang: Lang, undone: &Undone) -> String {
         Undone::NotStopped(why) => not_stopped(lang, failure(lang, why)),
         Undone::Broken(why) => broken(lang, why),
         Undone::NotStarted(why) => not_started(lang, failure(lang, why)),
+        #[cfg(feature = "more")]
         Undone::Unread(why) => unread(lang, why),
+        #[cfg(feature = "more")]
         Undone::Unsettled(why) => unsettled(lang, why),
+        #[cfg(feature = "more")]
         Undone::NotFlashed(why) => why.text(lang),
     }
 }
@@ -301,6 +308,7 @@ pub fn behind(lang: Lang, behind: Behind) -> String {
 }
 
 /// Why the program of a board was not read.
+#[cfg(feature = "more")]
 pub fn unread(lang: Lang, why: &Unread) -> String {
     match why {
         Unread::Empty => unread_empty(lang),

@@ -163,6 +163,7 @@ impl Core {
                 }
                 _ => Err(both(told::refused_now)),
             },
+            #[cfg(feature = "full")]
             Order::Fetch => Err(both(words::own_program)),
             Order::Release => {
                 self.forced = Default::default();
@@ -176,8 +177,12 @@ impl Core {
                 Some(text) => self.load(text, upload.stays),
                 None => Err(both(words::faulty)),
             },
-            Order::Settings | Order::Settle(_) => Err(both(words::no_settings)),
-            Order::Command(_) | Order::Flash(_) => Err(both(told::refused_now)),
+            Order::Settings => Err(both(words::no_settings)),
+            #[cfg(feature = "full")]
+            Order::Settle(_) => Err(both(words::no_settings)),
+            Order::Command(_) => Err(both(told::refused_now)),
+            #[cfg(feature = "full")]
+            Order::Flash(_) => Err(both(told::refused_now)),
         }
     }
 

@@ -102,11 +102,13 @@ impl session::Desk for Desk {
                 self.watch();
                 News::Stored(Kept::from(kept))
             }
+            #[cfg(feature = "full")]
             Event::Fetched(code) => News::Fetched {
                 order,
                 code: code.to_owned(),
             },
             Event::Settings(settings) => News::Settings(settings.into()),
+            #[cfg(feature = "full")]
             Event::Flashing(progress) => News::Flashing {
                 order,
                 done: progress.done,

@@ -10,8 +10,22 @@
 
 mod core;
 mod desk;
+#[cfg_attr(
+    not(feature = "full"),
+    allow(
+        dead_code,
+        reason = "the first module has neither firmwares nor settings"
+    )
+)]
 mod news;
 mod order;
+#[cfg_attr(
+    not(feature = "full"),
+    allow(
+        dead_code,
+        reason = "the first module has neither firmwares nor settings"
+    )
+)]
 mod wanted;
 mod watched;
 

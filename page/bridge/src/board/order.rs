@@ -39,7 +39,7 @@ said! {
     /// Lets all points go.
     "release" {} => Ordered::Board(Order::Release, None);
     /// Tells the program that the board keeps, as numeric code.
-    "fetch" {} => Ordered::Board(Order::Fetch, None);
+    "fetch" {} => fetch()?;
     /// Tells the settings.
     "settings" {} => Ordered::Board(Order::Settings, None);
     /// Forces an input or output, from 1, or lets it go.
@@ -68,7 +68,7 @@ said! {
     /// Watches this program from now on; it is said to be on the board.
     "watch" { version: Version } => Ordered::Watch(program(version, workspace)?);
     /// Changes the settings: the lock holds at once, all else from the next start on.
-    "settle" { settings: Wanted } => Ordered::Board(Order::Settle(settings.checked()?), None);
+    "settle" { settings: Wanted } => settle(&settings)?;
     /// Writes a firmware, as Intel hex, by the boot loader of this kind of board.
     "flash" { hex: String, model: String } => firmware(&hex, &model)?;
 }
@@ -96,5 +96,25 @@ fn firmware(hex: &str, model: &str) -> Result<Ordered, No> {
 
 #[cfg(not(feature = "full"))]
 fn firmware(_: &str, _: &str) -> Result<Ordered, No> {
+    Err(No::More)
+}
+
+#[cfg(feature = "full")]
+fn fetch() -> Result<Ordered, No> {
+    Ok(Ordered::Board(Order::Fetch, None))
+}
+
+#[cfg(not(feature = "full"))]
+fn fetch() -> Result<Ordered, No> {
+    Err(No::More)
+}
+
+#[cfg(feature = "full")]
+fn settle(settings: &Wanted) -> Result<Ordered, No> {
+    Ok(Ordered::Board(Order::Settle(settings.checked()?), None))
+}
+
+#[cfg(not(feature = "full"))]
+fn settle(_: &Wanted) -> Result<Ordered, No> {
     Err(No::More)
 }
