@@ -1,12 +1,12 @@
 //! What an editor is offered and told of a text, in every language that is compiled.
 //!
-//! - [`complete`]: what may stand at a place: names, members, types, blocks with their pins, keywords
-//! - [`hover`]: what a word stands for, where it is on the board, what its line costs and does
-//! - [`declaration`], [`uses`]: where a name comes from, and where it is used
-//! - [`rename`]: the same program by another name
+//! - [`complete()`]: what may stand at a place: names, members, types, blocks with their pins, keywords
+//! - [`hover()`]: what a word stands for, where it is on the board, what its line costs and does
+//! - [`declaration`], [`uses()`]: where a name comes from, and where it is used
+//! - [`rename()`]: the same program by another name
 //! - [`format()`]: the same words, well placed
-//! - [`remedies`]: what a diagnostic says one could do, done
-//! - [`symbols`]: what a text declares
+//! - [`remedies()`]: what a diagnostic says one could do, done
+//! - [`symbols()`]: what a text declares
 //!
 //! The way of a text: `reader` (its words and declarations), `meaning` (what a word stands for), and then a file for each
 //! of the above. All of it holds for a text with mistakes too, and takes a time in proportion to it.

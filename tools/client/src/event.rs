@@ -249,7 +249,7 @@ pub enum Behind {
     Card,
     /// It was restarted, and has a fault.
     Trouble(Trouble),
-    /// It ran the program, and is in FAULT within [`FIRST_SCANS`]; with what the fault is.
+    /// It ran the program, and is in FAULT within [`FIRST_SCANS`](crate::upload::FIRST_SCANS); with what the fault is.
     Failing(Option<Trouble>),
 }
 
