@@ -9,7 +9,7 @@ use unoclp_host_sim::engine::{Engine, HostEngine, Refusal};
 use unoclp_uno_sim::engine::{Clock, UnoEngine};
 
 /// What scenarios say of the UNO alone: there inputs 05 to 08 read as 0 where no code names them.
-const OF_AN_UNO: [&str; 1] = ["load-inputs.toml"];
+const OF_AN_UNO: [&str; 2] = ["load-inputs.toml", "load-inputs-named.toml"];
 
 /// Where a program is too much for an UNO and not for a Mega, or asks for a point that only this has, it is accepted as the
 /// core accepts it.

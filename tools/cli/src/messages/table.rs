@@ -591,7 +591,6 @@ unoclp_words::messages! {
     to_text() "text" "texto";
     chart() "Chart" "SFC";
     to_chart() "chart" "SFC";
-    active_steps(what, steps) "{what}: {steps}" "{what}: {steps}";
     fault_in_line(number, line) "FAULT {number}, line {line}" "FAULT {number}, linha {line}";
     paused() "PAUSED" "PAUSA";
     ran(ms, scans) "{ms} ms  {scans} scans " "{ms} ms  {scans} varreduras ";

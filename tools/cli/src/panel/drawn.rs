@@ -68,7 +68,7 @@ impl Drawn {
             View::Chart => messages::chart(),
         };
         match self.charts.any() {
-            true => messages::active_steps(what, self.charts.line(read)),
+            true => format!("{what}: {}", self.charts.line(read)),
             false => what,
         }
     }
