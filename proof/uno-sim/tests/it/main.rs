@@ -30,6 +30,7 @@ mod program_memory;
 mod quick;
 mod real;
 mod retentive;
+mod run_memory;
 mod sd_driver;
 mod sd_protocol;
 mod sd_write;
