@@ -13,7 +13,7 @@
 //! - `pins`, `unused`: wires that lead nowhere, and what they come from
 //! - `outputs`: the circuits of a network; `effects`: which of them may change places; `anew`: contacts that each output reads for itself; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
 //! - `outline`: its units and their variables, as a tree; `alter`: one of these changed in the file
-//! - `adapt`: points that another PLC has, on this board
+//! - `adapt`: points that another PLC has, on this board; `comments`: texts without them
 //! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces stand in the file; `types`: types
 //!   as it spells them; `st`: ladder bodies as statements, where no document holds them; `sfc`: charts
 //!
@@ -34,6 +34,7 @@ mod body;
 mod bounds;
 mod checked;
 mod circuit;
+mod comments;
 mod contacts;
 mod effects;
 mod export;

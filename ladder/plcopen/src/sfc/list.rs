@@ -2,6 +2,8 @@
 //! calls.
 
 /// The most lines of a body.
+use crate::comments::without;
+
 const MOST: usize = 2_000;
 
 /// What is in the accumulator, and what has been put aside by `(`.
@@ -63,7 +65,7 @@ fn run(text: &str) -> Result<Machine, String> {
         statements: Vec::new(),
     };
     let mut lines = 0;
-    for line in bare(text).lines() {
+    for line in without(text).lines() {
         let line = line.trim().trim_end_matches(';').trim_end();
         if line.is_empty() {
             continue;
@@ -129,18 +131,4 @@ impl Machine {
         let does = format!("IF {} THEN {operand} := {value}; END_IF", self.now);
         self.statements.push(does);
     }
-}
-
-/// A text without its comments, and a line of its own for each instruction.
-fn bare(text: &str) -> String {
-    let mut said = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some(at) = rest.find("(*") {
-        said.push_str(&rest[..at]);
-        rest = rest[at..]
-            .find("*)")
-            .map_or("", |end| &rest[at + end + 2..]);
-    }
-    said.push_str(rest);
-    said
 }

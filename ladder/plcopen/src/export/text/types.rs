@@ -1,6 +1,7 @@
 //! Types and first values as XML, from how Structured Text spells them.
 
 use super::super::xml::escaped;
+use crate::comments::without;
 use std::fmt::Write as _;
 use unoclp_lang::outline::Outline;
 use unoclp_lang::typed::Base;
@@ -246,15 +247,7 @@ fn parts(text: &str, sign: char) -> Vec<&str> {
 
 /// A text without comments.
 fn bare(text: &str) -> String {
-    let mut said = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some(at) = rest.find("(*") {
-        said.push_str(&rest[..at]);
-        rest = rest[at..]
-            .find("*)")
-            .map_or("", |end| &rest[at + end + 2..]);
-    }
-    said.push_str(rest);
+    let said = without(text);
     let lines = said
         .lines()
         .map(|line| line.split("//").next().unwrap_or_default());
