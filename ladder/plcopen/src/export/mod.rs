@@ -1,7 +1,7 @@
 //! A document as a project: each rung as contacts, coils and blocks, with the wires between them; what they have no form
 //! for, in Instruction List.
 //!
-//! - `xml`: the elements as XML; `names`: the variables
+//! - `frame`: what stands around all of it; `xml`: the elements as XML; `names`: the variables
 //! - `draw`: rungs and their wires; `elements`: what stands on them; `counters`, `count`: rungs that are inputs of one block
 //! - `numbers`: loads, operations, comparisons and stores
 //! - `il`: a program in Instruction List; `same`: what is written is read again; `text`: a text in place of a document
@@ -10,6 +10,7 @@ mod count;
 mod counters;
 mod draw;
 mod elements;
+mod frame;
 mod il;
 mod lost;
 mod names;
@@ -93,29 +94,8 @@ fn written(document: &Document, name: &str, variables: &Variables, body: &str) -
             escaped(&title)
         ),
     };
-    let name = match name.trim() {
-        "" => "Main".to_owned(),
-        name => escaped(name),
-    };
-    format!(
-        "<?xml version='1.0' encoding='utf-8'?>
-<project xmlns:xhtml=\"http://www.w3.org/1999/xhtml\" xmlns:xsd=\"http://www.w3.org/2001/XMLSchema\" xmlns=\"http://www.plcopen.org/xml/tc6_0201\">
-  <fileHeader companyName=\"Unknown\" productName=\"unoclp\" productVersion=\"1\" creationDateTime=\"2000-01-01T00:00:00\"/>
-  <contentHeader name=\"{name}\" modificationDateTime=\"2000-01-01T00:00:00\">
-    <coordinateInfo>
-      <fbd>
-        <scaling x=\"10\" y=\"10\"/>
-      </fbd>
-      <ld>
-        <scaling x=\"10\" y=\"10\"/>
-      </ld>
-      <sfc>
-        <scaling x=\"10\" y=\"10\"/>
-      </sfc>
-    </coordinateInfo>
-  </contentHeader>
-  <types>
-    <dataTypes/>
+    let types = format!(
+        "    <dataTypes/>
     <pous>
       <pou name=\"Main\" pouType=\"program\">
         <interface>
@@ -126,20 +106,9 @@ fn written(document: &Document, name: &str, variables: &Variables, body: &str) -
 {body}        </body>
 {documentation}      </pou>
     </pous>
-  </types>
-  <instances>
-    <configurations>
-      <configuration name=\"Config0\">
-        <resource name=\"Res0\">
-          <task name=\"task0\" priority=\"0\" interval=\"T#20ms\">
-            <pouInstance name=\"instance0\" typeName=\"Main\"/>
-          </task>
-        </resource>
-      </configuration>
-    </configurations>
-  </instances>
-</project>
 ",
         variables.declared(),
-    )
+    );
+    let run = "            <pouInstance name=\"instance0\" typeName=\"Main\"/>\n";
+    frame::project(name, &types, run, "")
 }

@@ -8,6 +8,7 @@ mod chart;
 mod types;
 mod variables;
 
+use super::frame;
 use super::xml::escaped;
 use std::fmt::Write as _;
 use unoclp_lang::outline::{Outline, Unit, outline};
@@ -24,46 +25,14 @@ pub fn export_text(text: &str, name: &str) -> String {
         let chart = unit.chart.as_ref().and_then(|_| charts.next());
         pou(text, unit, chart.as_ref(), &mut pous);
     }
-    let name = match name.trim() {
-        "" => "Main".to_owned(),
-        name => escaped(name),
-    };
-    format!(
-        "<?xml version='1.0' encoding='utf-8'?>
-<project xmlns:xhtml=\"http://www.w3.org/1999/xhtml\" xmlns:xsd=\"http://www.w3.org/2001/XMLSchema\" xmlns=\"http://www.plcopen.org/xml/tc6_0201\">
-  <fileHeader companyName=\"Unknown\" productName=\"unoclp\" productVersion=\"1\" creationDateTime=\"2000-01-01T00:00:00\"/>
-  <contentHeader name=\"{name}\" modificationDateTime=\"2000-01-01T00:00:00\">
-    <coordinateInfo>
-      <fbd>
-        <scaling x=\"10\" y=\"10\"/>
-      </fbd>
-      <ld>
-        <scaling x=\"10\" y=\"10\"/>
-      </ld>
-      <sfc>
-        <scaling x=\"10\" y=\"10\"/>
-      </sfc>
-    </coordinateInfo>
-  </contentHeader>
-  <types>
-{types}    <pous>
-{pous}    </pous>
-  </types>
-  <instances>
-    <configurations>
-      <configuration name=\"Config0\">
-        <resource name=\"Res0\">
-          <task name=\"task0\" priority=\"0\" interval=\"T#20ms\">
-{runs}          </task>
-{globals}        </resource>
-      </configuration>
-    </configurations>
-  </instances>
-</project>
-",
-        types = types::all(text, &parts),
-        runs = runs(&parts),
-        globals = variables::globals(text, &parts),
+    frame::project(
+        name,
+        &format!(
+            "{}    <pous>\n{pous}    </pous>\n",
+            types::all(text, &parts)
+        ),
+        &runs(&parts),
+        &variables::globals(text, &parts),
     )
 }
 
