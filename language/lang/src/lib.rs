@@ -27,5 +27,5 @@ pub use unoclp_text::literal::duration;
 pub use unoclp_text::moved::{Adapted, adapt_at};
 pub use unoclp_text::outline as declarations;
 pub use unoclp_text::points::{no_such_point, point};
-pub use unoclp_text::{Dialect, lacking, near, show};
+pub use unoclp_text::{Dialect, lacking, show};
 pub use unoclp_tree::{self as typed, Options, given, run};

@@ -2,7 +2,7 @@
 
 use crate::answer::answer;
 use crate::draw::Speak;
-use crate::tell::{byte, unit};
+use crate::tell::{Units, byte};
 use crate::words::{No, both};
 use unoclp_assist as assist;
 use unoclp_assist::{Edit, Kind};
@@ -90,7 +90,7 @@ pub fn complete(analysis: &Analysis, at: usize, speak: Speak) -> Offers {
         insert: offer.insert,
     };
     Offers {
-        from: unit(&text, span.start),
+        from: Units::new(&text).of(span.start as usize),
         offers: offers.into_iter().map(offer).collect(),
     }
 }
@@ -99,9 +99,10 @@ pub fn complete(analysis: &Analysis, at: usize, speak: Speak) -> Offers {
 pub fn meant(analysis: &Analysis, at: usize, speak: Speak) -> Option<Meant> {
     let text = analysis.written().text();
     let told = assist::hover(analysis, byte(&text, at), speak.into())?;
+    let mut units = Units::new(&text);
     Some(Meant {
-        from: unit(&text, told.span.start),
-        to: unit(&text, told.span.end),
+        from: units.of(told.span.start as usize),
+        to: units.of(told.span.end as usize),
         head: told.head,
         lines: told.lines,
         value: told.value,
@@ -114,11 +115,12 @@ pub fn uses(analysis: &Analysis, at: usize) -> Vec<UsedAt> {
     let lines = unoclp_lang::Lines::new(&text);
     let at = byte(&text, at);
     let declaration = assist::declaration(analysis.written(), at);
+    let mut units = Units::new(&text);
     let uses = assist::uses(analysis.written(), at).into_iter();
     uses.map(|own| UsedAt {
         line: lines.line(own.span.start),
-        from: unit(&text, own.span.start),
-        to: unit(&text, own.span.end),
+        from: units.of(own.span.start as usize),
+        to: units.of(own.span.end as usize),
         declares: declaration == Some(own.span),
         writes: own.writes,
     })
@@ -165,9 +167,10 @@ pub fn remedies(analysis: &Analysis, from: usize, to: usize, speak: Speak) -> Ve
 }
 
 fn changes(text: &str, edits: Vec<Edit>) -> Vec<Change> {
+    let mut units = Units::new(text);
     let change = |edit: Edit| Change {
-        from: unit(text, edit.span.start),
-        to: unit(text, edit.span.end),
+        from: units.of(edit.span.start as usize),
+        to: units.of(edit.span.end as usize),
         insert: edit.text,
     };
     edits.into_iter().map(change).collect()

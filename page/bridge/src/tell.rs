@@ -109,11 +109,7 @@ fn seal(source: &Source) -> Option<Problem> {
 /// Parts of a text, each by three numbers: the units since the end of the one before, its own units, and what it is: 0 a
 /// comment, 1 a text, 2 a point, 3 a number, 4 a word of the language.
 pub fn colours(text: &str, parts: &[(Span, Colour)]) -> Vec<u32> {
-    let mut units = Units {
-        text,
-        byte: 0,
-        unit: 0,
-    };
+    let mut units = Units::new(text);
     let mut behind = 0;
     let mut numbers = Vec::with_capacity(3 * parts.len());
     for (span, colour) in parts {
@@ -136,11 +132,7 @@ const MOST: usize = 100;
 
 fn told(text: &str, told: &Told) -> (Vec<Problem>, usize) {
     let lines = Lines::new(text);
-    let mut units = Units {
-        text,
-        byte: 0,
-        unit: 0,
-    };
+    let mut units = Units::new(text);
     let problem = |diagnostic: &Diagnostic| {
         let span = diagnostic.span;
         let (line, column) = lines.place(text, span.start);
@@ -163,14 +155,24 @@ fn told(text: &str, told: &Told) -> (Vec<Problem>, usize) {
 
 /// Counts the units of UTF-16 before a byte, from the byte that was asked for last.
 #[derive(Clone, Copy)]
-struct Units<'t> {
+pub struct Units<'t> {
     text: &'t str,
     byte: usize,
     unit: usize,
 }
 
-impl Units<'_> {
-    fn of(&mut self, byte: usize) -> usize {
+impl<'t> Units<'t> {
+    /// Of this text, from its beginning on.
+    pub fn new(text: &'t str) -> Units<'t> {
+        Units {
+            text,
+            byte: 0,
+            unit: 0,
+        }
+    }
+
+    /// The units before this byte.
+    pub fn of(&mut self, byte: usize) -> usize {
         if byte < self.byte {
             (self.byte, self.unit) = (0, 0);
         }
@@ -179,13 +181,6 @@ impl Units<'_> {
         self.byte = byte;
         self.unit
     }
-}
-
-/// The units of UTF-16 before a byte.
-#[cfg(feature = "full")]
-pub fn unit(text: &str, byte: u32) -> usize {
-    let before = text.get(..byte as usize).unwrap_or(text);
-    before.encode_utf16().count()
 }
 
 /// The byte at which a unit of UTF-16 begins; the text's end where it has not so many.

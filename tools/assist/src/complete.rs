@@ -269,7 +269,7 @@ impl Offers<'_, '_> {
 
     fn names(&mut self) {
         let reader = self.reader;
-        let unit = reader.outline.unit_at(self.byte);
+        let unit = reader.unit_at(self.byte);
         let is_seen = |named: &&Named| {
             named.within.is_none() || named.within == unit || named.what == What::Value
         };

@@ -58,7 +58,7 @@ impl Reader<'_> {
 
     /// What a name means at a byte of the text.
     pub fn name(&self, name: &str, byte: u32) -> Option<Meaning> {
-        let unit = self.outline.unit_at(byte);
+        let unit = self.unit_at(byte);
         let own = unit.and_then(|unit| self.find(Some(unit), name));
         let own = own.and_then(|own| self.beyond(own));
         let global = || self.find(None, name);

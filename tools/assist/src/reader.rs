@@ -35,6 +35,8 @@ pub(crate) struct Reader<'t> {
     pub openers: Vec<usize>,
     /// Declarations by what they belong to and by their names, folded.
     names: HashMap<(Option<usize>, String), usize>,
+    /// The units, in the order of their places: none stands in another.
+    units: Vec<usize>,
     /// Values of enumerations, which need no type before them.
     values: HashMap<String, usize>,
 }
@@ -58,11 +60,15 @@ impl<'t> Reader<'t> {
             words,
             outline,
             names: HashMap::new(),
+            units: Vec::new(),
             values: HashMap::new(),
         };
         reader.openers = openers(&reader.words);
         for (at, named) in reader.outline.named.iter().enumerate() {
             let key = (named.within, reader.fold(reader.written(named.name)));
+            if named.what.is_unit() {
+                reader.units.push(at);
+            }
             if named.what == What::Value {
                 reader.values.entry(key.1.clone()).or_insert(at);
             }
@@ -93,6 +99,14 @@ impl<'t> Reader<'t> {
     /// The declaration of this name in a unit or type, or among those of all.
     pub fn find(&self, within: Option<usize>, name: &str) -> Option<usize> {
         self.names.get(&(within, self.fold(name))).copied()
+    }
+
+    /// The unit in which this byte stands.
+    pub fn unit_at(&self, byte: u32) -> Option<usize> {
+        let begun = |&unit: &usize| self.outline.named[unit].whole.start <= byte;
+        let after = self.units.partition_point(begun);
+        let unit = *self.units.get(after.checked_sub(1)?)?;
+        (byte <= self.outline.named[unit].whole.end).then_some(unit)
     }
 
     /// The value of any enumeration that has this name.

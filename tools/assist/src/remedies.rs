@@ -114,7 +114,7 @@ fn declared(written: &Written, text: &str, about: &Diagnostic, lang: Lang) -> Ve
         return Vec::new();
     };
     let reader = Reader::new(text, language);
-    let unit = reader.outline.unit_at(about.span.start);
+    let unit = reader.unit_at(about.span.start);
     let mut own = reader.outline.named.iter().filter(|named| {
         let is_var = named
             .section

@@ -93,13 +93,3 @@ pub struct Outline {
     /// Whether `Motor` and `MOTOR` are two names.
     pub letters_apart: bool,
 }
-
-impl Outline {
-    /// The unit in which this byte stands.
-    pub fn unit_at(&self, byte: u32) -> Option<usize> {
-        let holds = |named: &Named| {
-            named.what.is_unit() && named.whole.start <= byte && byte <= named.whole.end
-        };
-        self.named.iter().position(holds)
-    }
-}
