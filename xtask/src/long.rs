@@ -17,7 +17,7 @@ const OF_CASES: [&str; 19] = [
     "modbus_boundaries::in_fault",
     "modbus_boundaries::in_run",
     "modbus_boundaries::in_stop",
-    "diagnosis::a_program_that_changes_in_run_memory_is_a_fault",
+    "run_memory::a_program_that_changes_in_run_memory_is_a_fault",
     "boot_loaders::on_a_line_that_drops_delays_and_changes_bytes_the_next_try_works",
     "cards::every_card_and_volume",
     "any_text::mutated_listings",
