@@ -10,7 +10,7 @@ export const blocks = new Signal(kept("look") === "blocks");
 
 /** The switch in the menu. */
 export function looks(): HTMLElement {
-  const button = (is: boolean, say: "lookLadder" | "lookBlocks"): HTMLElement => {
+  const button = (is: boolean, say: "viewDraw" | "lookBlocks"): HTMLElement => {
     const one = h("button", { type: "button", id: is ? "look-blocks" : "look-ladder", "data-say": say, click: () => {
       keep("look", is ? "blocks" : "ladder");
       blocks.value = is;
@@ -18,7 +18,7 @@ export function looks(): HTMLElement {
     blocks.follow((now) => one.setAttribute("aria-pressed", String(now === is)));
     return one;
   };
-  return h("div", { class: "group", role: "group", "data-say-label": "looks" }, button(false, "lookLadder"), button(true, "lookBlocks"));
+  return h("div", { class: "group", role: "group", "data-say-label": "looks" }, button(false, "viewDraw"), button(true, "lookBlocks"));
 }
 
 /** What a wire says of points that are seen: `I1`, or a gate in front of its inputs, `|2 I1 !I2`. */

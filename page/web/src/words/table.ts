@@ -67,7 +67,6 @@ export const TABLE = {
   viewDraw: ["Ladder", "Ladder"],
   views: ["View of the program", "Vista do programa"],
   looks: ["Programs are drawn as", "Programas são desenhados como"],
-  lookLadder: ["Ladder", "Ladder"],
   lookBlocks: ["Blocks", "Blocos"],
   ladderOf: ["Ladder diagram", "Diagrama ladder"],
   noLadder: ["The ladder appears as soon as the program has no errors.", "O ladder aparece assim que o programa não tiver erros."],
