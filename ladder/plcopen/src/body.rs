@@ -1,4 +1,4 @@
-//! Projects that are compiled as a text: in Instruction List, or in Structured Text with drawn bodies beside it.
+//! Projects that are compiled as a text: in Instruction List alone, or in Structured Text with all other bodies beside it.
 
 use crate::found::{Found, span};
 use crate::imported::Imported;
@@ -12,7 +12,7 @@ use std::collections::{HashSet, VecDeque};
 use unoclp_core::Board;
 use unoclp_lang::{Code, Span, TextLanguage, Word, compile_text};
 
-/// Compiles a project, whose bodies are all in Instruction List, or in none of them.
+/// Compiles a project as a text in this language; one in Instruction List that calls other bodies, as Structured Text.
 pub(crate) fn compile(
     xml: &str,
     project: &Project<'_, '_>,
@@ -21,7 +21,7 @@ pub(crate) fn compile(
     found: &mut Found,
     imported: &mut Imported,
 ) {
-    let mut written = write(xml, project, language, found);
+    let (mut written, language) = write(xml, project, language, found);
     written.unqualified(&project.lists);
     if found.has_errors() {
         return;
@@ -44,9 +44,14 @@ pub(crate) fn compile(
     imported.program = program.map(|(checked, map)| (checked, written.placed(xml, map)));
 }
 
-/// The text of a project. Functions and blocks that are drawn, or in a language that is not imported, count where
+/// The text of a project, and the language that it is in. Functions and blocks that are drawn, or in a language that is not imported, count where
 /// something uses them.
-fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &mut Found) -> Text {
+fn write(
+    xml: &str,
+    project: &Project<'_, '_>,
+    language: TextLanguage,
+    found: &mut Found,
+) -> (Text, TextLanguage) {
     let mut written = Text::default();
     let types = Types::of(&project.types);
     types.write(&mut written);
@@ -91,8 +96,20 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
                 });
                 None
             }
+            Some(("IL", body)) if own == "ST" => {
+                let list = st::list::write(xml, pou, body, &project.globals, found);
+                write_pou(&mut written, pou, &list.variables, found, |to| {
+                    for (piece, from) in &list.pieces {
+                        to.piece(piece, *from);
+                    }
+                });
+                None
+            }
+            Some(("LD" | "FBD" | "SFC" | "ST", _)) => {
+                return write(xml, project, TextLanguage::St, found);
+            }
             other => {
-                refuse(pou, other.map_or("?", |(language, _)| language), own, found);
+                refuse(pou, other.map_or("?", |(language, _)| language), found);
                 None
             }
         };
@@ -109,20 +126,12 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
             }
         }
     }
-    written
+    (written, language)
 }
 
 /// Tells that a body cannot be imported, and what it is.
-pub(crate) fn refuse(pou: &Pou<'_, '_>, language: &str, others: &str, found: &mut Found) {
+pub(crate) fn refuse(pou: &Pou<'_, '_>, language: &str, found: &mut Found) {
     let (what, help): (Word, Word) = match language {
-        "IL" | "ST" | "LD" | "FBD" | "SFC" => (
-            (
-                format!("in {language}, but the project is in {others}"),
-                format!("em {language}, mas o projeto está em {others}"),
-            )
-                .into(),
-            ("write it in ST", "escreva-o em ST").into(),
-        ),
         "?" => (
             ("missing", "vazio").into(),
             (

@@ -86,16 +86,19 @@ impl Text {
 
     /// A diagnostic of the text as one of the XML.
     pub(crate) fn moved(&self, diagnostic: &Diagnostic) -> Diagnostic {
-        let (start, is_alike, from) = self.place(diagnostic.span.start);
-        let length = diagnostic.span.end - diagnostic.span.start;
-        let span = match is_alike {
+        diagnostic.at(self.span(diagnostic.span))
+    }
+
+    /// Where a part of the text stands in the XML.
+    pub(crate) fn span(&self, own: Span) -> Span {
+        let (start, is_alike, from) = self.place(own.start);
+        match is_alike {
             true => Span {
                 start,
-                end: (start + length).min(from.end),
+                end: (start + own.end - own.start).min(from.end),
             },
             false => from,
-        };
-        diagnostic.at(span)
+        }
     }
 
     /// The byte of this line and column of the text.

@@ -1,10 +1,10 @@
-//! Drawn bodies as Structured Text: function block diagrams, and ladders for which no document has the elements.
+//! Bodies as Structured Text: function block diagrams, ladders for which no document has the elements, and lists.
 //!
 //! Owns in which order the elements of a body become statements. Must not know what a statement compiles to.
 //!
 //! - `power`: the way of the power to an element, as an expression
 //! - `blocks`: calls of function blocks; `functions`: results of functions
-//! - `fbd`: function block diagrams, which have an order of their own
+//! - `fbd`: function block diagrams, which have an order of their own; `list`: bodies in Instruction List
 //! - `jumps`: what a jump to a label below leaves out
 //! - `kinds`: of which type a result is, where it is stored
 //! - `sentences`: statements as they are written; `units`: what blocks a project has; `what`: what a block is; `wires`:
@@ -18,6 +18,7 @@ mod fbd;
 mod functions;
 mod jumps;
 mod kinds;
+pub(crate) mod list;
 mod power;
 mod sentences;
 mod units;

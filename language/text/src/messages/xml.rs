@@ -24,10 +24,10 @@ macro_rules! xml_rows {
         "o corpo de `{0}` é {1}, que não pode ser importado"
         "{2}";
     505 XmlMixed Error
-        "`{0}` is in {1}, but `{2}` is in {3}: programs in IL cannot stand beside others"
-        "write all programs in {1}, or all in {3}"
-        "`{0}` está em {1}, mas `{2}` está em {3}: programas em IL não podem ficar ao lado de outros"
-        "escreva todos os programas em {1}, ou todos em {3}";
+        "`{0}` is in IL beside other languages, where {1} cannot be imported"
+        "write `{0}` in ST, or the whole project in IL"
+        "`{0}` está em IL ao lado de outras linguagens, e ali {1} não pode ser importado"
+        "escreva `{0}` em ST, ou o projeto inteiro em IL";
     506 XmlAddress Error
         "{0}: there is no point `{1}` on this board"
         "{2}"
