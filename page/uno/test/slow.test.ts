@@ -32,7 +32,7 @@ test("element by element through a scan, while time stands", () => {
   }
   // The last of them is the end of the code, and then that of the scan.
   assert.deepEqual(stood.map(({ step }) => step), [...steps, null]);
-  assert.deepEqual(stood.at(-1)?.left.map(({ step }) => step), steps.slice(1).map((step) => step - 1));
+  assert.deepEqual(stood.at(-1)?.left.map(({ from, to }) => [from, to]), steps.slice(1).map((step, index) => [steps[index], step - 1]));
   assert.ok(stood.at(-1)?.left.every(({ value }) => value !== null));
 });
 

@@ -24,11 +24,16 @@ export interface Go {
   readonly through: boolean;
 }
 
-/** What an instruction has left behind; `value` is `null` where it went by at full speed. */
+/** What instructions in a row have left behind that were run at once; value and images are `null` where they went by at full
+ * speed. */
 export interface Left {
-  readonly step: number;
+  /** The first of them, and the last. */
+  readonly from: number;
+  readonly to: number;
   readonly acc: boolean;
   readonly value: number | null;
+  /** Inputs 01 to 04 in bits 0 to 3, outputs 01 to 04 in bits 4 to 7. */
+  readonly images: number | null;
 }
 
 /** How the engine stands. */
@@ -53,7 +58,7 @@ export interface Standing {
 export class Slow {
   private readonly fetches: Fetches;
   private readonly byAddress: ReadonlyMap<number, number>;
-  private readonly values = new Map<number, number>();
+  private readonly values = new Map<number, Pick<Left, "value" | "images">>();
   private order: Go | null = null;
   private wanted: ReadonlySet<Seam> = new Set();
   /** Where it is: at a seam, between two scans, or anywhere. */
@@ -134,7 +139,7 @@ export class Slow {
     const index = this.byAddress.get(this.fetches.at) ?? 0;
     // One that went at full speed has told none.
     if (index === 0 || this.order?.through) this.values.clear();
-    else if (this.at === "seam") this.values.set(this.seam, value(data));
+    else if (this.at === "seam") this.values.set(this.seam, { value: value(data), images: data[IMAGES] ?? 0 });
     this.at = "seam";
     this.seam = index;
   }
@@ -162,10 +167,10 @@ export class Slow {
 
   /** What has been passed. */
   private left(): Left[] {
-    return this.seams.flatMap(({ at }, index) => {
+    return this.seams.flatMap(({ step, at }, index) => {
       const [acc, next] = [this.fetches.acc(at), this.seams[index + 1]];
       if (!next || acc === null) return [];
-      return [{ step: next.step - 1, acc, value: this.values.get(index) ?? null }];
+      return [{ from: step, to: next.step - 1, acc, ...(this.values.get(index) ?? { value: null, images: null }) }];
     });
   }
 }

@@ -1,6 +1,7 @@
 // The simulated board: its worker, what it keeps in the browser, and its clock.
 
 import type { Command, Event } from "unoclp-uno";
+import type { ForSlow } from "../board/messages";
 import { type BoardWorker, SimulatedLine } from "../line/simulated";
 import type { Clock } from "./conversation";
 import { keepHere, keptHere } from "./place";
@@ -17,7 +18,7 @@ export class SimulatedBoard implements Clock {
   hasPower = false;
 
   constructor(
-    private readonly worker: BoardWorker,
+    private readonly worker: BoardWorker & { postMessage(message: ForSlow): void },
     hear: (event: Event) => void,
   ) {
     this.line = new SimulatedLine(worker);
@@ -37,6 +38,11 @@ export class SimulatedBoard implements Clock {
       if (command.kind === "pause") this.settle(this.now(), false);
     });
     this.worker.postMessage(command);
+  }
+
+  /** Has its worker hold it in the middle of scans, or no longer. */
+  slowly(message: ForSlow): void {
+    this.worker.postMessage(message);
   }
 
   /** Tells who waits by this clock, where it goes at another speed after this. */

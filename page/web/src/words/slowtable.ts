@@ -1,7 +1,6 @@
 // The texts of slow motion, in English and in Brazilian Portuguese.
 
 export const SLOW = {
-  slowTitle: ["Slow motion", "Câmera lenta"],
   slowElement: ["Next element", "Próximo elemento"],
   slowRung: ["Next rung", "Próximo degrau"],
   slowLine: ["Next line", "Próxima linha"],

@@ -2,6 +2,7 @@
 
 use super::app::App;
 use super::program::{Program, read};
+use crate::panel::Marked;
 use crate::lamps::{Lamp, Lamps, Sides};
 use crate::variables::lines;
 use crate::{messages, screen};
@@ -399,7 +400,7 @@ fn rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     };
     let lines = program
         .drawn
-        .lines(&app.flow, usize::from(area.width), read);
+        .lines(&app.flow, (None, &Marked::default()), usize::from(area.width), read);
     let what = program.drawn.title(read);
     let height = usize::from(area.height.saturating_sub(1));
     app.page = height.saturating_sub(1).max(1);
