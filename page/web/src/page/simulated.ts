@@ -18,7 +18,7 @@ export class SimulatedBoard implements Clock {
   hasPower = false;
 
   constructor(
-    private readonly worker: BoardWorker & { postMessage(message: ForSlow): void },
+    private readonly worker: BoardWorker,
     hear: (event: Event) => void,
   ) {
     this.line = new SimulatedLine(worker);
@@ -42,7 +42,8 @@ export class SimulatedBoard implements Clock {
 
   /** Has its worker hold it in the middle of scans, or no longer. */
   slowly(message: ForSlow): void {
-    this.worker.postMessage(message);
+    // Only the page's own worker knows of it.
+    (this.worker as unknown as { postMessage(message: ForSlow): void }).postMessage(message);
   }
 
   /** Tells who waits by this clock, where it goes at another speed after this. */
