@@ -59,9 +59,9 @@ function drawn(): (readonly [Element, number, number])[] {
   return [byId("ladder"), byId("draw")].flatMap((root) =>
     [...root.querySelectorAll<SVGElement>(".rung")].flatMap((rung) => {
       const first = Number(rung.dataset["first"]);
-      return [...rung.querySelectorAll<SVGElement>(".element[data-steps]")].map((element) => {
-        const steps = (element.dataset["steps"] ?? "").split(" ").map(Number);
-        return [element, first + Math.min(...steps), first + Math.max(...steps)] as const;
+      return [...rung.querySelectorAll<SVGElement>(".element[data-steps]")].flatMap((element) => {
+        const steps = stepsOf(element);
+        return steps.length > 0 ? [[element, first + Math.min(...steps), first + Math.max(...steps)] as const] : [];
       });
     }),
   );
@@ -72,6 +72,11 @@ export function selected(): number | null {
   const one = document.querySelector<SVGElement>("#draw .selected");
   const rung = one?.closest<SVGElement>(".rung");
   if (!one || !rung) return null;
-  const steps = (one.dataset["steps"] ?? "").split(" ").filter(Boolean).map(Number);
+  const steps = stepsOf(one);
   return Number(rung.dataset["first"]) + (steps.length > 0 ? Math.min(...steps) : 0);
+}
+
+/** The instructions of an element, from the first of its rung; some elements have none of their own. */
+function stepsOf(element: SVGElement): number[] {
+  return (element.dataset["steps"] ?? "").split(" ").filter(Boolean).map(Number);
 }

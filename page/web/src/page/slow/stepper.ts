@@ -4,8 +4,9 @@ import type { Event } from "unoclp-uno";
 import type { Go, Places, Standing } from "unoclp-uno/slow";
 import type { OfSlow } from "../../board/messages";
 import { beside } from "../../offline/beside";
-import type { Stood, Text } from "../../tools/answers";
+import type { Live, Stood, Text } from "../../tools/answers";
 import type { RemoteTools } from "../../tools/remote";
+import { Refusal } from "../../tools/tools";
 import type { Bench } from "../bench";
 
 /** Between two asks of a scan that has not come to its stop, ms. */
@@ -37,9 +38,13 @@ async function ofBoard(bench: Bench, tools: RemoteTools, text: Text, stood: (now
     latest = standing;
     const { left, ...now } = standing;
     const trail = left.map(({ from, to, acc, value, images }) => [from, to, acc, value, images] as const);
-    void tools.ask("slow", { of: text, left: trail }).then((live) => {
-      // One that came later has been told.
+    // One that came later has been told.
+    const tell = (live: Live | null): void => {
       if (latest === standing) stood({ ...now, live });
+    };
+    void tools.ask("slow", { of: text, left: trail }).then(tell, (error: unknown) => {
+      if (!(error instanceof Refusal)) throw error;
+      tell(null);
     });
   };
   const { events } = bench as { events: Set<(event: Event | OfSlow) => void> };
