@@ -6,6 +6,7 @@ use super::core::{Core, State};
 use crate::machine::Machine;
 use crate::slow::Stood;
 use crate::words::{self, Both, both};
+use unoclp_core::isa::Opcode;
 use unoclp_core::{Inputs, Scan};
 use unoclp_exercise::live::Flow;
 
@@ -17,8 +18,21 @@ pub struct Slow {
     scan: Scan,
     flow: Flow,
     inputs: Inputs,
+    /// Of each instruction whether it only begins a rung: it is no element.
+    heads: Vec<bool>,
     /// The outputs as the scan before has left them.
     driven: u32,
+}
+
+impl Slow {
+    /// Whether it stops before the instruction that comes next.
+    fn stops(&self, to: Option<&[usize]>) -> bool {
+        let next = self.scan.next();
+        match to {
+            Some(to) => to.contains(&next),
+            None => !self.heads.get(next).copied().unwrap_or_default(),
+        }
+    }
 }
 
 impl Core {
@@ -41,7 +55,7 @@ impl Core {
                 Some(slow) => slow,
                 None => {
                     let slow = self.begin_slowly().ok_or_else(|| both(words::none_runs))?;
-                    if to.is_none_or(|to| to.contains(&0)) {
+                    if slow.stops(to) {
                         return Ok(Some(self.keep(slow)));
                     }
                     slow
@@ -52,7 +66,7 @@ impl Core {
                 match stepped {
                     Some(Ok(Some((step, after)))) => {
                         slow.flow.observe(step, after);
-                        if to.is_none_or(|to| to.contains(&slow.scan.next())) {
+                        if slow.stops(to) {
                             return Ok(Some(self.keep(slow)));
                         }
                     }
@@ -108,6 +122,10 @@ impl Core {
                 scan: plc.begin(inputs, now),
                 flow,
                 inputs,
+                heads: plc
+                    .steps()
+                    .map(|step| step.opcode == Opcode::NewRung)
+                    .collect(),
                 driven: plc.outputs().0 as u32,
             }
         })

@@ -135,7 +135,6 @@ test("this computer goes slowly too", async () => {
   await stands(page, /The scan is over/);
   await page.keyboard.press("F10");
   await page.keyboard.press("F10");
-  await page.keyboard.press("F10");
   await stands(page, /The accumulator is 1/);
   await page.keyboard.press("F4");
   await stands(page, /is running/);

@@ -280,8 +280,7 @@ impl App {
             return Ok(());
         }
         let (places, breaks) = (&self.places, &self.breaks);
-        let stops =
-            |step| breaks.contains(&step) || to.is_some_and(|to| to.stops(step, places));
+        let stops = |step| breaks.contains(&step) || to.is_some_and(|to| to.stops(step, places));
         let mut slow = match self.slow.take() {
             Some(slow) => slow,
             None => {

@@ -45,7 +45,8 @@ impl Rungs {
             lines.extend(part.map(|part| Line::raw(format!("    {part}:"))));
             let labels = head.labels.iter();
             lines.extend(labels.map(|label| Line::raw(format!("    L{label}:"))));
-            let comes = next.is_some_and(|step| (head.first..head.first + head.steps).contains(&step));
+            let comes =
+                next.is_some_and(|step| (head.first..head.first + head.steps).contains(&step));
             lines.extend(rung(index + 1, comes, picture, &power));
         }
         lines

@@ -4,6 +4,7 @@
 
 use std::collections::BTreeSet;
 use unoclp_checked::SourceMap;
+use unoclp_core::isa::Opcode;
 use unoclp_core::{Fault, Inputs, Millis, Plc, Scan};
 use unoclp_draw::Ladder;
 use unoclp_exercise::live::Flow;
@@ -21,6 +22,8 @@ pub enum To {
 
 /// Where the steps of a program begin rungs and lines.
 pub struct Places {
+    /// Steps that only begin a rung: they are no elements.
+    heads: BTreeSet<usize>,
     rungs: BTreeSet<usize>,
     lines: BTreeSet<usize>,
 }
@@ -34,7 +37,10 @@ impl Places {
             [before, place] if before.line != place.line => Some(step),
             _ => None,
         });
+        let steps = (0..).zip(program.program().steps());
+        let heads = steps.filter(|(_, step)| step.opcode == Opcode::NewRung);
         Places {
+            heads: heads.map(|(index, _)| index).collect(),
             rungs: ladder.rungs.iter().map(|rung| rung.first).collect(),
             lines: lines.chain([0]).collect(),
         }
@@ -79,7 +85,11 @@ impl Slow {
     ///
     /// # Errors
     /// Where it has made too many jumps back.
-    pub fn go(&mut self, machine: &mut Machine, stops: impl Fn(usize) -> bool) -> Result<bool, Fault> {
+    pub fn go(
+        &mut self,
+        machine: &mut Machine,
+        stops: impl Fn(usize) -> bool,
+    ) -> Result<bool, Fault> {
         machine.with_plc(|plc: &mut Plc<'_>| {
             while let Some((step, after)) = plc.step(&mut self.scan)? {
                 self.flow.observe(step, after);
@@ -108,7 +118,7 @@ impl To {
     /// Whether a scan that goes so far stops before this step.
     pub fn stops(self, step: usize, places: &Places) -> bool {
         match self {
-            To::Element => true,
+            To::Element => !places.heads.contains(&step),
             To::Rung => places.rungs.contains(&step),
             To::Line => places.lines.contains(&step),
         }

@@ -1,5 +1,6 @@
 //! The simulator without a terminal: keys and time go in, the screen comes out.
 
+mod slow;
 mod typed;
 
 use super::app::App;
