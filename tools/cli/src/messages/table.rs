@@ -595,8 +595,8 @@ unoclp_words::messages! {
     paused() "PAUSED" "PAUSA";
     ran(ms, scans) "{ms} ms  {scans} scans " "{ms} ms  {scans} varreduras ";
     sim_keys(run, view, mode, more)
-        " q quit  space {run}  s scan  e slow  r restart  v {view}  m {mode}{more}  ↑↓ scroll"
-        " q sai  espaço {run}  s varre  e lento  r reset  v {view}  m {mode}{more}  ↑↓ rola";
+        " q quit  space {run}  s scan  r restart  v {view}  m {mode}{more}  e slow  ↑↓ scroll"
+        " q sai  espaço {run}  s varre  r reset  v {view}  m {mode}{more}  e lento  ↑↓ rola";
     slow_keys()
         " e element  g rung  l line  s end of scan  b breakpoint  space go on  q quit"
         " e elemento  g degrau  l linha  s fim da varredura  b parada  espaço segue  q sai";

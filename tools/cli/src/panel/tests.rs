@@ -80,7 +80,7 @@ fn the_screen_shows_what_is_energised() {
   2 ┣━━┤ I2 ├──┳━━┤ Q1 ├────────────────────────────( Q2 )─┤
     ┣━━┥/I3 ┝━━┛                                           │
 
- q quit  space pause  s scan  e slow  r restart  v text  m momentary  ↑↓ scroll";
+ q quit  space pause  s scan  r restart  v text  m momentary  e slow  ↑↓ scroll";
     assert_eq!(screen(&mut app, 80, 11).join("\n"), expected);
 
     advance(&mut app, 5);
@@ -94,7 +94,7 @@ fn the_screen_shows_what_is_energised() {
   2 ┣━━┤ I2 ├──┳━━┥ Q1 ┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━( Q2 )━┤
     ┣━━┥/I3 ┝━━┛                                           │
 
- q quit  space pause  s scan  e slow  r restart  v text  m momentary  ↑↓ scroll";
+ q quit  space pause  s scan  r restart  v text  m momentary  e slow  ↑↓ scroll";
     assert_eq!(screen(&mut app, 80, 11).join("\n"), expected);
 }
 
