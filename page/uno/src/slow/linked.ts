@@ -88,7 +88,8 @@ export function seamsOf(board: Board, places: Places): Seam[] | null {
         found = null;
       }
     } else if (at === places.link_flush && found !== null && pending() === found) {
-      const sp = pair(data, SP);
+      // A chip with more flash has pushed a byte above them.
+      const sp = pair(data, SP) + (cpu.pc22Bits ? 1 : 0);
       back = ((data[sp + 1] ?? 0) << 9) | ((data[sp + 2] ?? 0) << 1);
       found = null;
     } else if (at === back) {

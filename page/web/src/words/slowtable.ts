@@ -35,4 +35,5 @@ export const SLOW = {
   slowEnded: ["Slow motion has ended. The board goes on.", "A câmera lenta terminou. A placa continua."],
   slowNothing: ["The board runs another program. Press Run on the board first.", "A placa executa outro programa. Aperte primeiro Executar na placa."],
   slowDesk: ["A board on the desk makes single scans, in the menu Board. Slow motion is for the simulated board.", "Uma placa na mesa faz varreduras únicas, no menu Placa. A câmera lenta é para a placa simulada."],
+  slowOther: ["Slow motion is for the simulated UNO and for programs that this computer runs. It does not know the {board} yet.", "A câmera lenta é para o UNO simulado e para programas que este computador executa. Ela ainda não conhece o {board}."],
 } as const satisfies Readonly<Record<string, readonly [string, string]>>;

@@ -14,7 +14,7 @@ import type { Editor } from "../editor";
 import { note } from "../notes";
 import { type Stop, lineOf, lineStarts, rungStarts, stopAt } from "./code";
 import { markDrawings, markText, selected } from "./marks";
-import { type Stepper, stepper } from "./stepper";
+import { type Stepper, isKnown, stepper } from "./stepper";
 
 const say = sayFrom(SLOW);
 
@@ -96,6 +96,7 @@ export class SlowMotion {
     const looked = program.looked.value;
     const made = looked?.checked.program;
     if (bench.where.value === "desk") return note(() => say("slowDesk"));
+    if (!(await isKnown(bench))) return note(() => say("slowOther", { board: bench.board.value.name }));
     const isOn = made && bench.seen.value?.same === true && bench.on.value?.text === looked.text.text && bench.seen.value.state === "RUN";
     if (!looked || !made || !isOn) return note(() => say("slowNothing"));
     await dressIn("slow.css");

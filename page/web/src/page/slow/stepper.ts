@@ -24,9 +24,16 @@ export async function stepper(bench: Bench, tools: RemoteTools, text: Text, stoo
   return bench.where.value === "core" ? ofCore(bench, stood) : ofBoard(bench, tools, text, stood);
 }
 
+/** Where the firmwares of boards have what slow motion asks of them, by the boards' names. */
+const places = async (): Promise<Readonly<Record<string, Places>>> => (await (await beside("slow.json")).json()) as Readonly<Record<string, Places>>;
+
+/** Whether the board at hand can be gone through slowly. */
+export async function isKnown({ where, board }: Bench): Promise<boolean> {
+  return where.value === "core" || board.value.name in (await places());
+}
+
 async function ofBoard(bench: Bench, tools: RemoteTools, text: Text, stood: (now: Stood) => void): Promise<Stepper | null> {
-  const places = (await (await beside("slow.json")).json()) as Readonly<Record<string, Places>>;
-  const own = places[bench.board.value.name];
+  const own = (await places())[bench.board.value.name];
   if (!own) return null;
   let held: (is: boolean) => void = () => undefined;
   const isHeld = new Promise<boolean>((resolve) => (held = resolve));
