@@ -48,7 +48,7 @@ export class SimulatedBoard implements Clock {
 
   /** Gives it firmware, what its EEPROM was, and power. */
   start(bytes: Uint8Array): void {
-    this.tell({ kind: "firmware", bytes });
+    this.tell({ kind: "firmware", board: "uno", bytes });
     const eeprom = bytesOf(keptHere("eeprom"));
     if (eeprom) this.tell({ kind: "eeprom", bytes: eeprom });
     this.tell({ kind: "plug", on: true });
