@@ -63,6 +63,8 @@ async function around(outdir) {
   cpSync(found("firmware/unoclp-uno.hex"), join(outdir, "unoclp.hex"));
   writeFileSync(join(outdir, "unoclp.bin"), await binary(found("firmware/unoclp-uno.hex"), "uno"));
   cpSync(found("firmware/unoclp-nano.hex"), join(outdir, "unoclp-nano.hex"));
+  cpSync(found("firmware/unoclp-mega.hex"), join(outdir, "unoclp-mega.hex"));
+  writeFileSync(join(outdir, "unoclp-mega.bin"), await binary(found("firmware/unoclp-mega.hex"), "mega"));
   const root = join(lab, "../..");
   writeFileSync(join(outdir, "lessons.json"), JSON.stringify(lessons(root)));
   writeFileSync(join(outdir, "exercises.json"), JSON.stringify(exercises(root)));
