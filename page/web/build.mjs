@@ -52,6 +52,14 @@ async function binary(file, board) {
   return bytes.subarray(0, bytes.findLastIndex((byte) => byte !== 0xff) + 1);
 }
 
+/** Where a firmware has what slow motion asks of it, by its map. */
+async function places(map) {
+  const read = { absWorkingDir: lab, bundle: true, format: "esm", write: false, entryPoints: ["../uno/src/slow/index.ts"] };
+  const { outputFiles } = await build(read);
+  const { placesOf } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+  return placesOf(readFileSync(found(map), "utf8"));
+}
+
 /** What the page loads besides its bundles, and the list by which it works without a network. */
 async function around(outdir) {
   mkdirSync(outdir, { recursive: true });
@@ -62,6 +70,7 @@ async function around(outdir) {
   for (const module of ["unoclp.wasm", "unoclp-full.wasm"]) cpSync(found(join("target/lab", module)), join(outdir, module));
   cpSync(found("firmware/unoclp-uno.hex"), join(outdir, "unoclp.hex"));
   writeFileSync(join(outdir, "unoclp.bin"), await binary(found("firmware/unoclp-uno.hex"), "uno"));
+  writeFileSync(join(outdir, "slow.json"), JSON.stringify({ UNO: await places("firmware/unoclp-uno.symbols") }));
   cpSync(found("firmware/unoclp-nano.hex"), join(outdir, "unoclp-nano.hex"));
   cpSync(found("firmware/unoclp-mega.hex"), join(outdir, "unoclp-mega.hex"));
   writeFileSync(join(outdir, "unoclp-mega.bin"), await binary(found("firmware/unoclp-mega.hex"), "mega"));

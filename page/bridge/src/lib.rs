@@ -55,6 +55,8 @@ mod more;
 mod program;
 #[cfg(feature = "full")]
 mod replay;
+#[cfg(feature = "full")]
+mod slow;
 #[cfg(any(test, not(feature = "full")))]
 mod start;
 mod tell;

@@ -5,6 +5,8 @@ import { Agenda } from "./agenda";
 import { Card, SILENCE } from "./card";
 import { type Around, Chip } from "./chip/chip";
 import { Eeprom } from "./chip/eeprom";
+import type { Fetches } from "./chip/fetches";
+import { tellFetches } from "./chip/opcodes";
 import { Contacts } from "./contacts";
 import type { Analogue, BoardId, Pins, ResetCause, SerialFormat } from "./messages";
 import { USUAL_FORMAT } from "./messages";
@@ -38,6 +40,7 @@ export class Board {
   /** When the last byte on the line to the board is over. */
   private lineFree = 0;
   private cutAtWrite = false;
+  private told: Fetches | null = null;
   /** The cycle while there is no chip to count them. */
   private idle = 0;
 
@@ -56,6 +59,13 @@ export class Board {
     this.contacts = new Contacts(this.agenda, () => this.drive());
   }
 
+  /** Another such board, without power, with the same flash and EEPROM: to try something. */
+  copy(witness: Witness): Board {
+    const copy = new Board(this.id, this.flash, witness, this.eeprom.writeCycles);
+    copy.eeprom.bytes.set(this.eeprom.bytes);
+    return copy;
+  }
+
   /** Cycles since the board was made. */
   get now(): number {
     return this.chip?.cpu.cycles ?? this.idle;
@@ -68,6 +78,13 @@ export class Board {
   /** The chip, to look into, while there is power. */
   get inside(): Chip | null {
     return this.chip;
+  }
+
+  /** Who is told of what the firmware's engine fetches, and may stop it there; `null`: nobody, which costs nothing. */
+  set fetches(fetches: Fetches | null) {
+    this.told = fetches;
+    tellFetches(fetches !== null);
+    if (this.chip) this.chip.fetches = fetches;
   }
 
   plug(on: boolean): void {
@@ -156,7 +173,8 @@ export class Board {
     });
   }
 
-  /** Runs to where the instruction at this byte address is the next, for so many cycles at most; says whether it is. */
+  /** Runs to where the instruction at this byte address is the next, or the engine is to stop, for so many cycles at most;
+   * says whether it is there. */
   runTo(address: number, cycles: number): boolean {
     return this.advance(this.now + cycles, (chip, until) => chip.runTo(address, until));
   }
@@ -181,6 +199,7 @@ export class Board {
   private begin(cause: ResetCause, before: Chip | null): void {
     this.witness.reset(cause);
     this.chip = new Chip(this.wiring.chip, this.flash, this.around(), cause, this.now, before);
+    this.chip.fetches = this.told;
     this.portChanged();
   }
 

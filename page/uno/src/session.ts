@@ -35,7 +35,10 @@ const EDGES = 1000;
 const RATES = { least: 300, most: 1_000_000 };
 
 export class Session implements Witness {
-  private board: Board | null = null;
+  /** The board at hand. */
+  board: Board | null = null;
+  /** Runs the board for so many cycles at most in place of it, and says whether time stands from now on. */
+  stopper: ((cycles: number) => boolean) | null = null;
   private image: Uint8Array | null = null;
   private format = USUAL_FORMAT;
   private readonly pace = new Pace();
@@ -114,7 +117,9 @@ export class Session implements Witness {
         const sent = this.sent.length;
         // A whole number: of less than a cycle, time would not go on.
         const due = this.machine ? this.machineAt - before : Infinity;
-        board.run(Math.max(1, Math.min(Math.ceil(Math.min(left, CHUNK) * CYCLES_PER_MS), due)));
+        const cycles = Math.max(1, Math.min(Math.ceil(Math.min(left, CHUNK) * CYCLES_PER_MS), due));
+        if (!this.stopper) board.run(cycles);
+        else if (this.stopper(cycles)) this.left = 0;
         this.move(board);
         const passed = (board.now - before) / CYCLES_PER_MS;
         left -= passed;

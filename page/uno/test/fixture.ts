@@ -6,6 +6,7 @@ import { Board, type Witness } from "../src/board";
 import { CYCLES_PER_MS } from "../src/chip/registers";
 import { readHex } from "../src/hex";
 import type { ResetCause } from "../src/messages";
+import { type Places, placesOf } from "../src/slow";
 import { WIRINGS } from "../src/wiring";
 
 // Tests are bundled below target/uno or target/lab, and the firmware into target/firmware.
@@ -26,6 +27,12 @@ export function firmware(): Uint16Array {
   const flash = readHex(firmwareHex(), WIRINGS.uno.chip.flash);
   if (!flash) throw new Error("the firmware is no Intel hex");
   return flash;
+}
+
+/** Where the tested firmware has what slow motion asks of it. */
+export function places(): Places {
+  const symbols = readFileSync(fileURLToPath(new URL("../firmware/unoclp-uno.symbols", target)), "utf8");
+  return placesOf(symbols);
 }
 
 /** The image of a card with the program of this name: `cargo xtask test` puts those in `programs/` here on cards. */

@@ -30,12 +30,38 @@ mod request {
     pub const ANALOGUE: u8 = 5;
     pub const SEND: u8 = 6;
     pub const RUN: u8 = 7;
+    pub const SLOW: u8 = 8;
+    pub const TRAIL: u8 = 9;
 }
 
 /// How a run ended.
 mod ended {
     pub const TIME_OVER: u8 = 0;
     pub const THERE: u8 = 1;
+}
+
+/// The symbols by which a scan goes in slow motion: `Places` in `page/uno/src/slow/linked.ts`.
+const PLACES: [&str; 7] = [
+    "engine_link",
+    "link_one",
+    "link_flush",
+    "link_put",
+    "engine_end",
+    "scan_begin",
+    "ENGINE_MORE_INPUTS",
+];
+
+/// How the engine stood between two instructions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Seam {
+    /// The instruction that comes next, from 0.
+    pub step: usize,
+    /// The result of the rung so far (NC-6).
+    pub acc: bool,
+    /// How many values are pushed (NC-22).
+    pub pushed: u8,
+    /// The value accumulator (NC-16).
+    pub value: i32,
 }
 
 /// A board in a process of Node, which ends with it.
@@ -128,6 +154,51 @@ impl Avr8js {
     fn write(&mut self, address: u16, bytes: &[u8]) {
         let head = [address, bytes.len() as u16].map(u16::to_le_bytes).concat();
         self.request(request::WRITE, &[&head, bytes]);
+    }
+
+    /// From now on each scan goes from one seam of its program to the next.
+    ///
+    /// # Errors
+    /// Where the firmware lacks a symbol, or the board keeps no program.
+    pub fn go_slowly(&mut self) -> Result<(), EngineError> {
+        let mut places = Vec::new();
+        for name in PLACES {
+            let symbol = self.program.symbol(name);
+            let address = symbol.ok_or(EngineError::NoSymbol(name))?.address & 0xFFFF;
+            places.extend(address.to_le_bytes());
+        }
+        self.request(request::SLOW, &[&places]);
+        match self.answer::<1>()? {
+            [0] => Err(EngineError::NoProgram),
+            _ => Ok(()),
+        }
+    }
+
+    /// How the engine stood at each seam since this was asked last.
+    ///
+    /// # Errors
+    /// Where the process is gone.
+    pub fn trail(&mut self) -> Result<Vec<Seam>, EngineError> {
+        self.request(request::TRAIL, &[]);
+        let count = u16::from_le_bytes(self.answer()?);
+        let seams = (0..count).map(|_| {
+            let [low, high, acc, pushed, value @ ..] = self.answer::<8>()?;
+            Ok(Seam {
+                step: u16::from_le_bytes([low, high]).into(),
+                acc: acc != 0,
+                pushed,
+                value: i32::from_le_bytes(value),
+            })
+        });
+        seams.collect()
+    }
+
+    fn answer<const N: usize>(&mut self) -> Result<[u8; N], EngineError> {
+        let read = self.requests.flush().and_then(|()| self.read());
+        read.map_err(|error| {
+            let reason = error.to_string();
+            EngineError::Halt(Halt::Simulator { reason }, String::new())
+        })
     }
 
     /// Runs, and says whether it came to the address.

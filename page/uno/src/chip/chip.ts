@@ -15,6 +15,7 @@ import type { ResetCause } from "../messages";
 import type { Setting } from "../serial";
 import { converter } from "./converter";
 import { type Eeprom, eepromRegisters } from "./eeprom";
+import type { Fetches } from "./fetches";
 import type { Model, Port } from "./model";
 import { CLOCK_HZ, MCUSR, SPCR, WDCE, WDE, WDTCSR, WORKING_REGISTERS } from "./registers";
 import { type Span, execute } from "./step";
@@ -49,7 +50,7 @@ export class Chip {
   /** The watchdog has bitten: this life is over. */
   bitten = false;
   /** No event of avr8js is due before its `due`. */
-  private readonly span: Span = { until: 0, due: 0 };
+  private readonly span: Span = { until: 0, due: 0, fetches: null };
 
   /** A chip at its first instruction, at this cycle; `before` is the one whose RAM it takes over. */
   constructor(private readonly model: Model, flash: Uint16Array, around: Around, cause: ResetCause, cycle: number, before: Chip | null) {
@@ -88,7 +89,7 @@ export class Chip {
     this.go(-1, until);
   }
 
-  /** The same, and to where the instruction at this byte address is the next; says whether it is. */
+  /** The same, and to where the instruction at this byte address is the next, or the engine is to stop; says whether it is. */
   runTo(address: number, until: number): boolean {
     return this.go(address >> 1, until);
   }
@@ -99,7 +100,7 @@ export class Chip {
     while (cpu.cycles < span.until) {
       execute(cpu, span, stop, model.ram);
       if (cpu.cycles >= span.due || cpu.nextInterrupt >= 0) this.tick();
-      if (cpu.pc === stop) return true;
+      if (cpu.pc === stop || span.fetches?.isThere) return true;
     }
     return false;
   }
@@ -119,6 +120,11 @@ export class Chip {
       this.span.due = Math.min(this.span.due, cpu.cycles + Math.max(1, cycles));
       return add(callback, cycles);
     };
+  }
+
+  /** Who is told of what the engine fetches. */
+  set fetches(fetches: Fetches | null) {
+    this.span.fetches = fetches;
   }
 
   /** From within a run: it goes no further than to this cycle. */

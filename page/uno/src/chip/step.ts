@@ -17,8 +17,11 @@ import {
   widened,
 } from "./flags";
 import { KINDS, Kind, wordsOf } from "./opcodes";
-import { SP, Y, Z, above, addressOf, constant, near, other, pair, port, setPair, signed, upper, wide } from "./operands";
+import { SP, X, Y, Z, above, addressOf, constant, near, other, pair, port, setPair, signed, upper, wide } from "./operands";
+import type { Fetches } from "./fetches";
 
+/** No place is marked. */
+const NONE = new Uint8Array(0);
 /** Cycles that are counted without a look at the clock: as many fit an integer. */
 const FAR = 1 << 29;
 
@@ -28,6 +31,8 @@ export interface Span {
   until: number;
   /** And no further than to this one, at which something is due. */
   due: number;
+  /** Who is told of what the engine fetches, as long as its jumps tell of it. */
+  fetches?: Fetches | null;
 }
 
 /**
@@ -38,6 +43,7 @@ export function execute(cpu: CPU, span: Span, stop: number, ram: number): void {
   const { data, progMem, progBytes, pc22Bits: far } = cpu;
   // An address on the stack has two bytes, or three.
   const pushed = far ? 3 : 2;
+  const marks = span.fetches?.marks ?? NONE;
   // The flash is a power of two words long.
   const last = progMem.length - 1;
   const start = cpu.cycles;
@@ -256,6 +262,17 @@ export function execute(cpu: CPU, span: Span, stop: number, ram: number): void {
         case Kind.IJMP:
           pc = pair(data, Z) - 1;
           spent += 1;
+          break;
+        case Kind.FETCH:
+          pc = pair(data, Z) - 1;
+          spent += 1;
+          if (marks[pair(data, X)] && span.fetches?.note(data)) end = 0;
+          break;
+        case Kind.FIRST_FETCH:
+          push(data, pc + 1, far);
+          pc = pair(data, Z) - 1;
+          spent += pushed;
+          if (marks[pair(data, X)] && span.fetches?.note(data)) end = 0;
           break;
         case Kind.JMP:
           pc = (above(opcode) | progMem[(pc + 1) & last]!) - 1;

@@ -2,6 +2,7 @@
 
 import { Board, type Witness } from "../board";
 import type { BoardId } from "../messages";
+import { type Places, Slow, type Standing } from "../slow";
 import { WIRINGS } from "../wiring";
 
 /** How a run ended. */
@@ -16,6 +17,8 @@ export class Bench {
   private sent: number[] = [];
   /** Bit n: output n + 1 has changed since the power came. */
   private moved = 0;
+  private slow: Slow | null = null;
+  private stops: Standing[] = [];
 
   /** A new board with this card in its slot and an erased EEPROM, just powered. */
   start(card: Uint8Array, eepromWriteCycles: number): void {
@@ -33,6 +36,37 @@ export class Bench {
     this.uno.insert(card);
     this.uno.plug(true);
     this.forget();
+  }
+
+  /** From now on a run to where a scan begins goes from one seam of the program to the next; says whether there are any. */
+  goSlowly(places: Places): boolean {
+    this.slow?.release();
+    this.slow = this.uno && Slow.of(this.uno, places);
+    return this.slow !== null;
+  }
+
+  /** How the engine stood at each seam since this was asked last: count u16, then each: the next instruction u16, acc u8, how
+   * many values are pushed u8, value u32. */
+  trail(): Uint8Array {
+    const stops = this.stops.splice(0).filter(({ step }) => step !== null);
+    const answer = new Uint8Array(2 + 8 * stops.length);
+    const view = new DataView(answer.buffer);
+    view.setUint16(0, stops.length, true);
+    stops.forEach(({ step, acc, pushed, value }, n) => {
+      view.setUint16(2 + 8 * n, step ?? 0, true);
+      view.setUint8(4 + 8 * n, Number(acc));
+      view.setUint8(5 + 8 * n, pushed.length);
+      view.setInt32(6 + 8 * n, value, true);
+    });
+    return answer;
+  }
+
+  private runTo(board: Board, address: number, cycles: number): boolean {
+    if (!this.slow) return board.runTo(address, cycles);
+    const end = board.now + cycles;
+    this.slow.go({ to: null, through: false });
+    for (let at: Standing | null; board.now < end && (at = this.slow.run(end - board.now)); this.stops.push(at)) if (at.step === null) return true;
+    return false;
   }
 
   /** Takes the power away and gives it back. */
@@ -72,7 +106,7 @@ export class Bench {
     try {
       if (!this.uno) throw new Error("no board has been started");
       if (address === null) this.uno.run(cycles);
-      else if (this.uno.runTo(address, cycles)) ended = THERE;
+      else if (this.runTo(this.uno, address, cycles)) ended = THERE;
       said = Uint8Array.from(this.sent.splice(0));
     } catch (error) {
       ended = BROKEN;
@@ -93,6 +127,7 @@ export class Bench {
   }
 
   private forget(): void {
+    this.slow = null;
     this.moved = 0;
     this.sent = [];
   }

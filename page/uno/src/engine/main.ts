@@ -15,6 +15,8 @@ const INPUTS = 4; // closed u32
 const ANALOGUE = 5; // input u8, reading u16
 const SEND = 6; // length u16, bytes
 const RUN = 7; // byte address u32, NOWHERE for none; cycles u32
+const SLOW = 8; // byte addresses of symbols u32, in the order of `Places`; answered by 1 where the board keeps a program, else 0
+const TRAIL = 9; // answered as `Bench.trail` says
 
 const NOWHERE = 0xffff_ffff;
 const BOARDS = ["uno", "mega"] as const;
@@ -102,6 +104,14 @@ for (let request = input.take(1); request; request = input.take(1)) {
       answer(bench.run(address === NOWHERE ? null : address, input.number(4)));
       break;
     }
+    case SLOW: {
+      const [engine_link, link_one, link_flush, link_put, engine_end, scan_begin, ENGINE_MORE_INPUTS] = Array.from({ length: 7 }, () => input.number(4)) as [number, number, number, number, number, number, number];
+      answer(Uint8Array.of(Number(bench.goSlowly({ engine_link, link_one, link_flush, link_put, engine_end, scan_begin, ENGINE_MORE_INPUTS }))));
+      break;
+    }
+    case TRAIL:
+      answer(bench.trail());
+      break;
     default:
       throw new Error(`no request ${request.getUint8(0)}`);
   }

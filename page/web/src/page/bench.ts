@@ -1,8 +1,9 @@
 // The bench: one board at a time, simulated or on the desk, and what is known of it.
 
 import type { BoardId, Event, Pins } from "unoclp-uno";
+import type { Go } from "unoclp-uno/slow";
 import type { Line } from "../line/line";
-import type { Ask, BoardFacts, Both, News, Order, Seen, Settings, Text } from "../tools/answers";
+import type { Ask, BoardFacts, Both, News, Order, Seen, Settings, Stood, Text } from "../tools/answers";
 import type { Modules } from "../tools/modules";
 import { Died, NeedsMore, Refusal, Tools } from "../tools/tools";
 import { NoLine } from "../line/none";
@@ -316,6 +317,11 @@ export class Bench {
     } finally {
       this.flashing.value = null;
     }
+  }
+
+  /** Goes on with the scan that this computer makes. */
+  slowly(go: Go): Stood | null {
+    return this.talk?.slowly(go) ?? null;
   }
 
   /** What is asked of the board at hand takes time: a simulated one goes on. */

@@ -144,7 +144,9 @@ async function load(): Promise<void> {
     return them && new (await import("./gallery")).Gallery(remote, them, machine, open);
   });
   const examples = (): void => void import("./examples").then(({ showExamples }) => showExamples(remote, open));
+  const slow = later(async () => new (await import("./slow/slow")).SlowMotion(program, bench, remote, editor));
   menus(byId("menus"), {
+    slow: () => void slow().then((part) => part?.open()),
     program, bench, open, take, slot, remote, tabs, learn,
     showMachines: () => void shown().then((gallery) => gallery?.show()),
     showExamples: examples,

@@ -1,6 +1,7 @@
 // The simulated board: its worker, what it keeps in the browser, and its clock.
 
 import type { BoardId, Command, Event } from "unoclp-uno";
+import type { ForSlow } from "../board/messages";
 import { type BoardWorker, SimulatedLine } from "../line/simulated";
 import type { Clock } from "./conversation";
 import { keepHere, keptHere } from "./place";
@@ -42,6 +43,12 @@ export class SimulatedBoard implements Clock {
       if (command.kind === "pause") this.settle(this.now(), false);
     });
     this.worker.postMessage(command);
+  }
+
+  /** Has its worker hold it in the middle of scans, or no longer. */
+  slowly(message: ForSlow): void {
+    // Only the page's own worker knows of it.
+    (this.worker as unknown as { postMessage(message: ForSlow): void }).postMessage(message);
   }
 
   /** Tells who waits by this clock, where it goes at another speed after this. */

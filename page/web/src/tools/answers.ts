@@ -574,6 +574,24 @@ export interface Step {
   readonly news: readonly News[];
 }
 
+/** How the core stands in the middle of a scan. */
+export interface Stood {
+  /** The instruction that comes next, from 0; none at the end of a scan. */
+  readonly step: number | null;
+  /** Those from it to before this one are run at once. */
+  readonly until: number;
+  readonly acc: boolean;
+  readonly value: number;
+  /** What is pushed, the last first. */
+  readonly pushed: readonly number[];
+  /** Bit n: input n + 1, as the scan has it, and as it is at its contact; likewise the outputs. */
+  readonly inputs: number;
+  readonly closed: number;
+  readonly outputs: number;
+  readonly driven: number;
+  readonly live: Live | null;
+}
+
 /** How a board keeps a program. */
 export interface Stored {
   readonly version: number;
