@@ -6,6 +6,7 @@ import type { RemoteTools } from "../tools/remote";
 import { say, speak } from "../words/words";
 import { asked } from "./asked";
 import type { Bench } from "./bench";
+import type { ChartPane } from "./chart";
 import { type Looked, type ProgramDocument } from "./document";
 import { byId, h } from "./dom";
 import type { Screen } from "./draw/screen";
@@ -22,6 +23,8 @@ import { countOf, showProblems } from "./problems";
 
 const VIEWS = ["draw", "both", "text"] as const;
 const TITLES = { draw: "viewDraw", both: "viewBoth", text: "viewText" } as const;
+/** Only a text with these words has a chart. */
+const CHART = /\bINITIAL_STEP\b/i;
 
 export class ProgramView {
   private readonly ladder: LadderView;
@@ -30,6 +33,8 @@ export class ProgramView {
   private readonly size = h("span", { class: "chip" });
   /** The screen on which one draws, as soon as somebody has wanted it. */
   private screen: (() => Promise<Screen | null>) | null = null;
+  /** The chart of the program, as soon as one has had any. */
+  private chart: (() => Promise<ChartPane | null>) | null = null;
   /** Of a text whose ladder is a compiler's code none is shown unless somebody asks for it: said here. */
   private readonly bytes = h("p", { class: "empty", id: "ladder-bytes", hidden: true }, h("span", { "data-say": "ladderBytes" }), " ",
     h("button", { type: "button", id: "ladder-anyway", "data-say": "ladderAnyway", click: () => {
@@ -92,7 +97,7 @@ export class ProgramView {
       keep("view", view);
       buttons.forEach((button, index) => button.setAttribute("aria-pressed", String(VIEWS[index] === view)));
       this.ladderNow();
-      byId("draw-tools").hidden = view !== "draw";
+      byId("draw-tools").hidden = view !== "draw" || "chart" in root.dataset;
       if (view === "draw" || this.screen) void this.drawing().then((screen) => screen?.show(root.dataset["view"] === "draw"));
     };
     // What 0.2.0 called the ladder is the drawing now.
@@ -117,9 +122,34 @@ export class ProgramView {
     return this.screen();
   }
 
+  /** Shows the chart of a text beside its ladder, if it has one. */
+  private async charted({ text, checked }: Looked): Promise<void> {
+    const root = byId("views");
+    let has = checked.language === "st" && CHART.test(text.text);
+    if (has) {
+      const write = (text: Text): void => {
+        this.program.text.value = text;
+        this.editor.show(text.text);
+      };
+      this.chart ??= later(async () => {
+        await dressIn("chart.css");
+        const pane = new (await import("./chart")).ChartPane(this.program, this.tools, this.bench, write);
+        root.append(pane.root);
+        return pane;
+      });
+      has = (await (await this.chart())?.show(text)) ?? false;
+    }
+    if (this.program.text.value.text !== text.text) return;
+    if (has) root.dataset["chart"] = "";
+    else delete root.dataset["chart"];
+    byId("draw-tools").hidden = root.dataset["view"] !== "draw" || has;
+    this.ladderNow();
+  }
+
   private show(looked: Looked | null): void {
     if (!looked) return;
     const { text, checked } = looked;
+    void this.charted(looked);
     this.editor.tell(text.text, checked);
     const lacks = this.program.lacks.value;
     showProblems(this.problems, checked, lacks, {
@@ -143,7 +173,8 @@ export class ProgramView {
   /** Draws the ladder, where there is one and it is on the screen. */
   private ladderNow(): void {
     const looked = this.program.looked.value;
-    const isShown = byId("views").dataset["view"] === "both";
+    const { view, chart } = byId("views").dataset;
+    const isShown = view === "both" || (view === "draw" && chart !== undefined);
     if (looked?.checked.program && isShown) void this.draw(looked);
   }
 

@@ -1,0 +1,26 @@
+// Every text of a chart, in English and in Brazilian Portuguese. It is loaded with the first chart.
+
+export const CHART = {
+  chart: ["Chart", "SFC"],
+  chartSheet: ["Chart; arrows move, Enter edits, a adds a step, b a branch, p a parallel step, q an action", "SFC; as setas movem, Enter edita, a põe uma etapa, b um ramo, p uma etapa paralela, q uma ação"],
+  chartUndo: ["Undo", "Desfazer"],
+  chartRedo: ["Redo", "Refazer"],
+  chartAfter: ["+ Step", "+ Etapa"],
+  chartBranch: ["+ Branch", "+ Ramo"],
+  chartBeside: ["+ Parallel", "+ Paralela"],
+  chartAct: ["+ Action", "+ Ação"],
+  chartLeft: ["←", "←"],
+  chartRight: ["→", "→"],
+  chartRemove: ["Delete", "Excluir"],
+  chartLook: ["GRAFCET / IEC", "GRAFCET / IEC"],
+  chartName: ["Name", "Nome"],
+  chartInitial: ["Initial step", "Etapa inicial"],
+  chartJump: ["Jump to", "Desvio para"],
+  chartTo: ["Leads to", "Leva a"],
+  chartAction: ["Action", "Ação"],
+  chartQualifier: ["Qualifier", "Qualificador"],
+  chartTime: ["Time", "Tempo"],
+  chartBody: ["Statements", "Comandos"],
+  chartCondition: ["Condition", "Condição"],
+  chartPriority: ["Priority", "Prioridade"],
+} as const;
