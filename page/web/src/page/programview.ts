@@ -6,7 +6,6 @@ import type { RemoteTools } from "../tools/remote";
 import { say, speak } from "../words/words";
 import { asked } from "./asked";
 import type { Bench } from "./bench";
-import type { ChartPane } from "./chart";
 import { type Looked, type ProgramDocument } from "./document";
 import { byId, h } from "./dom";
 import type { Screen } from "./draw/screen";
@@ -20,6 +19,7 @@ import { blocks } from "./look";
 import { note } from "./notes";
 import { pointsOf } from "./points";
 import { countOf, showProblems } from "./problems";
+import type { ChartPane } from "./sfc/pane";
 
 const VIEWS = ["draw", "both", "text"] as const;
 const TITLES = { draw: "viewDraw", both: "viewBoth", text: "viewText" } as const;
@@ -97,8 +97,8 @@ export class ProgramView {
       keep("view", view);
       buttons.forEach((button, index) => button.setAttribute("aria-pressed", String(VIEWS[index] === view)));
       this.ladderNow();
-      byId("draw-tools").hidden = view !== "draw" || "chart" in root.dataset;
-      if (view === "draw" || this.screen) void this.drawing().then((screen) => screen?.show(root.dataset["view"] === "draw"));
+      this.screened();
+      void this.charted();
     };
     // What 0.2.0 called the ladder is the drawing now.
     show(VIEWS.find((view) => view === kept("view")) ?? "draw");
@@ -111,45 +111,42 @@ export class ProgramView {
     if (begins) void this.drawing().then((screen) => screen?.begin());
   }
 
+  /** Shows a text that was drawn in the editor too. */
+  private readonly write = (text: Text): void => {
+    this.program.text.value = text;
+    this.editor.show(text.text);
+  };
+
   /** Loads the screen on which one draws; null where that cannot be had now. */
   private drawing(): Promise<Screen | null> {
-    const { program, tools, bench } = this;
-    const write = (text: Text): void => {
-      program.text.value = text;
-      this.editor.show(text.text);
-    };
+    const { program, tools, bench, write } = this;
     this.screen ??= later(async () => (await import("./draw/screen")).Screen.open(byId("draw"), byId("draw-tools"), { program, tools, bench, write, open: this.open }));
     return this.screen();
   }
 
-  /** Shows the chart of a text beside its ladder, if it has one. */
-  private async charted({ text, checked }: Looked): Promise<void> {
+  /** Shows that screen where one draws: in the place of a chart there is none. */
+  private screened(): void {
+    const draws = (): boolean => byId("views").matches('[data-view="draw"]:not([data-chart])');
+    byId("draw-tools").hidden = !draws();
+    if (draws() || this.screen) void this.drawing().then((screen) => screen?.show(draws()));
+  }
+
+  /** Shows the chart of the program beside its ladder, if it has one. */
+  private async charted(): Promise<void> {
     const root = byId("views");
-    let has = checked.language === "st" && CHART.test(text.text);
-    if (has) {
-      const write = (text: Text): void => {
-        this.program.text.value = text;
-        this.editor.show(text.text);
-      };
-      this.chart ??= later(async () => {
-        await dressIn("chart.css");
-        const pane = new (await import("./chart")).ChartPane(this.program, this.tools, this.bench, write);
-        root.append(pane.root);
-        return pane;
-      });
-      has = (await (await this.chart())?.show(text)) ?? false;
-    }
-    if (this.program.text.value.text !== text.text) return;
-    if (has) root.dataset["chart"] = "";
-    else delete root.dataset["chart"];
-    byId("draw-tools").hidden = root.dataset["view"] !== "draw" || has;
+    const looked = this.program.looked.value;
+    if (!looked || root.dataset["view"] !== "draw" || (!this.chart && !CHART.test(looked.text.text))) return;
+    const { program, tools, bench, write } = this;
+    this.chart ??= later(async () => (await import("./sfc/pane")).ChartPane.open(root, { program, tools, bench, write }));
+    await (await this.chart())?.show(looked);
+    this.screened();
     this.ladderNow();
   }
 
   private show(looked: Looked | null): void {
     if (!looked) return;
     const { text, checked } = looked;
-    void this.charted(looked);
+    void this.charted();
     this.editor.tell(text.text, checked);
     const lacks = this.program.lacks.value;
     showProblems(this.problems, checked, lacks, {
