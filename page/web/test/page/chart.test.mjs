@@ -183,21 +183,21 @@ VAR
   a_plus AT %QX1 : BOOL; a_minus AT %QX2 : BOOL; b_plus AT %QX3 : BOOL; b_minus AT %QX4 : BOOL;
 END_VAR
 INITIAL_STEP Rest: END_STEP
-STEP A_out: a_plus(N); END_STEP
-STEP A_there: a_plus(N); END_STEP
-STEP B_out: b_plus(N); END_STEP
-STEP B_there: b_plus(N); END_STEP
-STEP B_in: b_minus(N); END_STEP
-STEP B_home: b_minus(N); END_STEP
-STEP A_in: a_minus(N); END_STEP
-TRANSITION FROM Rest TO A_out := start AND a_in AND b_in; END_TRANSITION
-TRANSITION FROM A_out TO A_there := a_out; END_TRANSITION
-TRANSITION FROM A_there TO B_out := A_there.T >= T#50ms; END_TRANSITION
-TRANSITION FROM B_out TO B_there := b_out; END_TRANSITION
-TRANSITION FROM B_there TO B_in := B_there.T >= T#50ms; END_TRANSITION
-TRANSITION FROM B_in TO B_home := b_in; END_TRANSITION
-TRANSITION FROM B_home TO A_in := B_home.T >= T#50ms; END_TRANSITION
-TRANSITION FROM A_in TO Rest := a_in AND NOT start; END_TRANSITION
+STEP Clamp: a_plus(N); END_STEP
+STEP Clamped: a_plus(N); END_STEP
+STEP Work: b_plus(N); END_STEP
+STEP Worked: b_plus(N); END_STEP
+STEP Pull: b_minus(N); END_STEP
+STEP Pulled: b_minus(N); END_STEP
+STEP Release: a_minus(N); END_STEP
+TRANSITION FROM Rest TO Clamp := start AND a_in AND b_in; END_TRANSITION
+TRANSITION FROM Clamp TO Clamped := a_out; END_TRANSITION
+TRANSITION FROM Clamped TO Work := Clamped.T >= T#50ms; END_TRANSITION
+TRANSITION FROM Work TO Worked := b_out; END_TRANSITION
+TRANSITION FROM Worked TO Pull := Worked.T >= T#50ms; END_TRANSITION
+TRANSITION FROM Pull TO Pulled := b_in; END_TRANSITION
+TRANSITION FROM Pulled TO Release := Pulled.T >= T#50ms; END_TRANSITION
+TRANSITION FROM Release TO Rest := a_in AND NOT start; END_TRANSITION
 END_PROGRAM
 `;
 
