@@ -4,7 +4,9 @@
 
 use crate::answer::answer;
 use crate::given::wrong;
+use crate::tell::Units;
 use crate::words::{No, both};
+use std::ops::Range;
 use unoclp_exercise::live::Charts;
 use unoclp_program::{Lang, list::Look};
 use unoclp_sfc::edit::{Operation, Refusal, Side};
@@ -54,6 +56,8 @@ answer! {
         initial: bool,
         /// The numbers of the steps that a transition leaves.
         from: Vec<usize>,
+        /// Where it stands in the text, and where the statements of its action do: units of UTF-16, from and to.
+        places: Vec<[usize; 2]>,
     }
 }
 
@@ -120,16 +124,43 @@ fn drawn(document: &Document, look: Look, live: &Charts) -> ChartDrawn {
             .map(|points| points.map(|point| point.map(name)))
             .collect()
     });
+    let text = document.text();
+    let places = document.places();
+    // Each kind stands in its order.
+    let [steps, transitions, actions] =
+        [places.steps, places.transitions, places.actions].map(|all| in_units(&text, &all));
+    let placed = |id| match id {
+        Id::Step(step) => (steps.get(step), None),
+        Id::Does(step, nth) => {
+            let does = document.steps.get(step).and_then(|of| of.does.get(nth));
+            let action = does.and_then(|does| document.action(&does.action));
+            (
+                steps.get(step),
+                action.and_then(|action| actions.get(action)),
+            )
+        }
+        Id::Transition(of) | Id::Jump(of, _) | Id::Wait(of, _) => (transitions.get(of), None),
+    };
     let parts = sheet.items.iter().map(|item| {
-        let (x, y) = item.middle();
-        part(document, item.id, (x, y))
+        let mut part = part(document, item.id, item.middle());
+        let (own, action) = placed(item.id);
+        part.places = own.into_iter().chain(action).copied().collect();
+        part
     });
+    let parts = parts.collect();
     ChartDrawn {
         unit: document.unit.clone(),
         svg: svg(document, &sheet, None, &document.unit, true),
-        parts: parts.collect(),
+        parts,
         points,
     }
+}
+
+/// Places in units of UTF-16.
+fn in_units(text: &str, places: &[Range<usize>]) -> Vec<[usize; 2]> {
+    let mut units = Units::new(text);
+    let of = |place: &Range<usize>| [units.of(place.start), units.of(place.end)];
+    places.iter().map(of).collect()
 }
 
 fn part(document: &Document, id: Id, (x, y): (f32, f32)) -> ChartPart {
@@ -145,6 +176,7 @@ fn part(document: &Document, id: Id, (x, y): (f32, f32)) -> ChartPart {
         priority: String::new(),
         initial: false,
         from: Vec::new(),
+        places: Vec::new(),
     };
     match id {
         Id::Step(step) => {

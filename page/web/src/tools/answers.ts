@@ -123,6 +123,8 @@ export interface ChartPart {
   readonly initial: boolean;
   /** The numbers of the steps that a transition leaves. */
   readonly from: readonly number[];
+  /** Where it stands in the text, and where the statements of its action do: units of UTF-16, from and to. */
+  readonly places: readonly (readonly [number, number])[];
 }
 
 /** The charts of a text. */

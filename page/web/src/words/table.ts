@@ -19,6 +19,7 @@ export const TABLE = {
   pageDrawer: ["Values", "Valores"],
   fileName: ["Name of the file", "Nome do arquivo"],
   newFile: ["New", "Novo"],
+  newChart: ["New chart", "Novo SFC"],
   openFile: ["Open…", "Abrir…"],
   saveFile: ["Save", "Salvar"],
   saveCode: ["Save PROGRAM.TXT", "Salvar PROGRAM.TXT"],

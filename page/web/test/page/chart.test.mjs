@@ -168,6 +168,19 @@ test("selections, simultaneous sequences, jumps and qualifiers, in either look",
   await part(page, "s1").waitFor({ state: "detached" });
   await page.click("#chart-undo");
   await part(page, "s3").waitFor();
+  // What is wrong stands at its part.
+  await part(page, "t0").click();
+  await mouse.write(page, "#chart-condition", "nobody");
+  await part(page, "t0", ".wrong").waitFor();
+  await page.locator("#chart-form .error", { hasText: "nobody" }).waitFor();
+  assert.equal(await page.locator("#chart-sheet .wrong").count(), 1);
+  await page.focus("#chart-sheet");
+  await page.keyboard.press("Control+z");
+  await part(page, "t0", ":not(.wrong)").waitFor();
+  await pick(page, "#new-chart");
+  await has(page, "STEP Work: lamp(N)");
+  await part(page, "t1").waitFor();
+  await page.locator("#problem-count.good").waitFor();
   // A program without a chart shows none.
   await pick(page, "#new-file");
   await page.locator("#chart").waitFor({ state: "hidden" });

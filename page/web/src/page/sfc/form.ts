@@ -1,8 +1,8 @@
 // The fields of the selected part of a chart: each is done when it has changed.
 
-import type { Ask, ChartPart } from "../../tools/answers";
+import type { Ask, ChartPart, Problem } from "../../tools/answers";
 import { say } from "../../words/chart";
-import { speak } from "../../words/words";
+import { speak, told } from "../../words/words";
 import { h } from "../dom";
 
 /** What is done to a part. */
@@ -27,14 +27,15 @@ export class Form {
   ) {}
 
   /** Shows a part; a field in which somebody writes stays as it is. */
-  show(part: ChartPart, steps: readonly string[]): void {
+  show(part: ChartPart, steps: readonly string[], wrong: readonly Problem[]): void {
     const { id, kind, name, text, qualifier, time, priority, initial } = part;
-    const made = JSON.stringify([id, kind, name, text, qualifier, time, priority, initial, steps, speak.value]);
+    const made = JSON.stringify([id, kind, name, text, qualifier, time, priority, initial, steps, wrong, speak.value]);
     if (made === this.made) return;
     this.made = made;
     const was = document.activeElement;
     const isInside = was !== null && this.root.contains(was);
-    this.root.replaceChildren(...this.fields(part, steps));
+    const mistakes = wrong.map(({ severity, message, help }) => h("p", { class: severity }, told(message), h("small", {}, told(help))));
+    this.root.replaceChildren(...this.fields(part, steps), ...mistakes);
     const now = isInside ? this.root.querySelector<HTMLElement>(`#${was.id}`) : null;
     if (isWritten(was) && isWritten(now) && was.value !== was.defaultValue) now.value = was.value;
     now?.focus();

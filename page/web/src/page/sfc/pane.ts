@@ -2,7 +2,7 @@
 // text; here it is shown.
 
 import { dressIn } from "../../offline/beside";
-import type { ChartDrawn, ChartPart, Text } from "../../tools/answers";
+import type { ChartDrawn, ChartPart, Problem, Text } from "../../tools/answers";
 import type { RemoteTools } from "../../tools/remote";
 import { say } from "../../words/chart";
 import { speak, translate } from "../../words/words";
@@ -45,6 +45,8 @@ export class ChartPane {
   private readonly live: LiveChart;
   private readonly past: Past;
   private chart: ChartDrawn | null = null;
+  /** What is wrong with the text, as far as that is known already. */
+  private problems: readonly Problem[] = [];
   /** The number of the chart among those of the text. */
   private number = 0;
   private selected = "s0";
@@ -93,6 +95,7 @@ export class ChartPane {
     return this.next(async () => {
       if (text !== this.around.program.text.value) return;
       if (this.past.meet(text) === "another") [this.number, this.selected] = [0, "s0"];
+      this.problems = checked.problems;
       await (checked.language === "st" ? this.draw(text) : this.take([]));
     });
   }
@@ -118,7 +121,17 @@ export class ChartPane {
       this.paper.scrollTo(scrollLeft, scrollTop);
     }
     this.select(this.selected);
+    for (const part of chart.parts) {
+      const wrong = this.wrongIn(part);
+      const group = this.paper.querySelector(`[data-id="${part.id}"]`);
+      group?.classList.toggle("wrong", wrong.some(({ severity }) => severity === "error"));
+      group?.classList.toggle("warned", wrong.some(({ severity }) => severity === "warning"));
+    }
     this.live.show(chart);
+  }
+
+  private wrongIn({ places }: ChartPart): readonly Problem[] {
+    return this.problems.filter((problem) => places.some(([from = 0, to = 0]) => problem.from >= from && problem.from < to));
   }
 
   /** Shows another chart of the text, or the same in another look. */
@@ -136,7 +149,7 @@ export class ChartPane {
     if (part.id !== this.selected) announce(`${say(KINDS[part.kind] ?? "chartStep")} ${part.kind === "transition" ? part.text : part.name}`);
     this.selected = part.id;
     for (const one of this.paper.querySelectorAll<SVGElement>("[data-id]")) one.classList.toggle("selected", one.dataset["id"] === part.id);
-    this.form.show(part, chart.parts.filter(({ kind }) => kind === "step").map(({ name }) => name));
+    this.form.show(part, chart.parts.filter(({ kind }) => kind === "step").map(({ name }) => name), this.wrongIn(part));
   }
 
   /** Does something to the selected part. */
@@ -150,6 +163,7 @@ export class ChartPane {
         this.selected = select ?? this.selected;
         const after = { ...of, text };
         this.past.did(after);
+        this.problems = [];
         this.take(charts);
         write(after);
       });
@@ -160,6 +174,7 @@ export class ChartPane {
     return this.next(async () => {
       const text = this.past.go(way);
       if (!text) return;
+      this.problems = [];
       this.around.write(text);
       await this.draw(text);
       this.paper.focus();
