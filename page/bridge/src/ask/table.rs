@@ -24,6 +24,8 @@ use crate::facts::Facts;
 use crate::machine::{Known, Look, Searched};
 use crate::program::Checked;
 #[cfg(feature = "full")]
+use crate::project::{Project, UnitShown};
+#[cfg(feature = "full")]
 use crate::replay::Replay;
 use unoclp_core::Board;
 #[cfg(feature = "full")]
@@ -59,7 +61,7 @@ asks! {
 }
 
 /// What takes the module that has everything.
-pub const MORE: [&str; 32] = [
+pub const MORE: [&str; 35] = [
     "list",
     "adapt",
     "pages",
@@ -92,6 +94,9 @@ pub const MORE: [&str; 32] = [
     "form",
     "remedies",
     "chart",
+    "project",
+    "unit",
+    "alter",
 ];
 
 #[cfg(feature = "full")]
@@ -178,4 +183,12 @@ asks! {
         version: Version, look: Option<String>, chart: u32, what: Option<String>, at: Option<String>, say: Option<String>,
         qualifier: Option<String>, time: Option<String>
     } -> Box<Charted>;
+    /// The units of a project, and their variables.
+    Project "project" { version: Version } -> Box<Project>;
+    /// The body of a unit of a project; null where it has none.
+    Unit "unit" { version: Version, unit: String } -> Option<UnitShown>;
+    /// A project in which something is another: of a variable of a unit, or a global one, `name`, `kind`, `first`, `place`,
+    /// `comment`, `retained`, or all of it by `add` and `remove`; of an element of a drawn body `written`, `negated`, `edge`,
+    /// `storage`; the `body` of a unit in text.
+    Alter "alter" { version: Version, unit: Option<String>, what: String, at: String, to: String } -> String;
 }

@@ -133,6 +133,7 @@ function files({ program, open, take, slot, remote, goTo, showPrograms }: Parts)
         pages.forEach((page, at) => download(`${stem}-${at + 1}.svg`, page, SVG));
       }),
     },
+    { id: "make-project", say: "makeProject", when: () => code !== undefined && !text.name.endsWith(".xml"), act: () => void asked(remote.ask("list", { ...shown, as: "xml" }), (xml) => open({ name: `${stem}.xml`, text: xml })) },
     { id: "save-project", say: "saveProject", when, act: () => void asked(remote.ask("list", { ...shown, as: "xml" }), (xml) => download(`${stem}.xml`, xml, "application/xml")) },
     {
       id: "save-card",

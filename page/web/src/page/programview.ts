@@ -19,12 +19,12 @@ import { blocks } from "./look";
 import { note } from "./notes";
 import { pointsOf } from "./points";
 import { countOf, showProblems } from "./problems";
-import type { ChartPane } from "./sfc/pane";
+import type { Beside } from "./project/beside";
 
 const VIEWS = ["draw", "both", "text"] as const;
 const TITLES = { draw: "viewDraw", both: "viewBoth", text: "viewText" } as const;
-/** Only a text with these words has a chart. */
-const CHART = /\bINITIAL_STEP\b/i;
+/** Only a text with one of these has a chart, or is a project. */
+const BESIDE = /\bINITIAL_STEP\b|plcopen\.org\/xml/i;
 
 export class ProgramView {
   private readonly ladder: LadderView;
@@ -33,8 +33,8 @@ export class ProgramView {
   private readonly size = h("span", { class: "chip" });
   /** The screen on which one draws, as soon as somebody has wanted it. */
   private screen: (() => Promise<Screen | null>) | null = null;
-  /** The chart of the program, as soon as one has had any. */
-  private chart: (() => Promise<ChartPane | null>) | null = null;
+  /** Its chart, or its units, as soon as a program has had any. */
+  private beside: (() => Promise<Beside | null>) | null = null;
   /** Of a text whose ladder is a compiler's code none is shown unless somebody asks for it: said here. */
   private readonly bytes = h("p", { class: "empty", id: "ladder-bytes", hidden: true }, h("span", { "data-say": "ladderBytes" }), " ",
     h("button", { type: "button", id: "ladder-anyway", "data-say": "ladderAnyway", click: () => {
@@ -124,21 +124,21 @@ export class ProgramView {
     return this.screen();
   }
 
-  /** Shows that screen where one draws: in the place of a chart there is none. */
+  /** Shows that screen where one draws: in the place of a chart or a project there is none. */
   private screened(): void {
-    const draws = (): boolean => byId("views").matches('[data-view="draw"]:not([data-chart])');
+    const draws = (): boolean => byId("views").matches('[data-view="draw"]:not([data-chart], [data-project])');
     byId("draw-tools").hidden = !draws();
     if (draws() || this.screen) void this.drawing().then((screen) => screen?.show(draws()));
   }
 
-  /** Shows the chart of the program beside its ladder, if it has one. */
+  /** Shows the chart of the program beside its ladder, or the units of a project. */
   private async charted(): Promise<void> {
     const root = byId("views");
     const looked = this.program.looked.value;
-    if (!looked || root.dataset["view"] !== "draw" || (!this.chart && !CHART.test(looked.text.text))) return;
+    if (!looked || root.dataset["view"] !== "draw" || (!this.beside && !BESIDE.test(looked.text.text))) return;
     const { program, tools, bench, write } = this;
-    this.chart ??= later(async () => (await import("./sfc/pane")).ChartPane.open(root, { program, tools, bench, write }));
-    await (await this.chart())?.show(looked);
+    this.beside ??= later(async () => (await import("./project/beside")).Beside.open(root, { program, tools, bench, write }));
+    await (await this.beside())?.show(looked);
     this.screened();
     this.ladderNow();
   }

@@ -25,6 +25,7 @@ export const TABLE = {
   saveCode: ["Save PROGRAM.TXT", "Salvar PROGRAM.TXT"],
   saveDrawing: ["Save the ladder as SVG", "Salvar o ladder como SVG"],
   savePages: ["Save pages for a report", "Salvar páginas para um relatório"],
+  makeProject: ["Make a project of it", "Fazer dele um projeto"],
   saveProject: ["Export as PLCopen XML", "Exportar como PLCopen XML"],
   saveCard: ["Save a card image", "Salvar a imagem do cartão"],
   share: ["Share a link", "Compartilhar um link"],

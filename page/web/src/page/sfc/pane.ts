@@ -1,7 +1,6 @@
 // A chart beside the ladder that it becomes: its drawing, live, and what a person does to it. Rust draws it and changes the
 // text; here it is shown.
 
-import { dressIn } from "../../offline/beside";
 import type { ChartDrawn, ChartPart, Problem, Text } from "../../tools/answers";
 import type { RemoteTools } from "../../tools/remote";
 import { say } from "../../words/chart";
@@ -12,9 +11,9 @@ import type { Looked, ProgramDocument } from "../document";
 import { h } from "../dom";
 import { keep, kept } from "../kept";
 import { announce } from "../notes";
+import type { Past } from "../project/past";
 import { type Done, Form } from "./form";
 import { LiveChart } from "./live";
-import { Past } from "./past";
 
 /** What of the page the chart works with. */
 export interface Around {
@@ -41,39 +40,33 @@ export class ChartPane {
   private readonly undo = h("button", { type: "button", id: "chart-undo", "data-say-label": "chartUndo", click: () => void this.back("undo") }, "↶");
   private readonly redo = h("button", { type: "button", id: "chart-redo", "data-say-label": "chartRedo", click: () => void this.back("redo") }, "↷");
   private readonly units = h("select", { id: "chart-unit", "data-say-label": "chart", change: () => void this.turnTo(this.units.selectedIndex) });
+  private readonly pane: HTMLElement;
   private readonly form: Form;
   private readonly live: LiveChart;
-  private readonly past: Past;
   private chart: ChartDrawn | null = null;
   /** What is wrong with the text, as far as that is known already. */
   private problems: readonly Problem[] = [];
+  /** The unit whose chart is shown; none: the one that a person picks. */
+  private unit: string | undefined;
   /** The number of the chart among those of the text. */
   private number = 0;
   private selected = "s0";
   private queue: Promise<void> = Promise.resolve();
 
-  /** Loads what a chart needs besides its code, and puts it before the rest of this. */
-  static async open(root: HTMLElement, around: Around): Promise<ChartPane> {
-    await dressIn("chart.css");
-    return new ChartPane(root, around);
-  }
-
-  private constructor(
-    private readonly root: HTMLElement,
+  constructor(
     private readonly around: Around,
+    private readonly past: Past,
   ) {
     this.form = new Form((act) => void this.act(act), () => this.paper.focus());
     this.live = new LiveChart(this.paper, around.program, around.bench);
-    this.past = new Past(around.program);
     const buttons = ACTS.map(([what, word, key]) =>
       h("button", { type: "button", id: `chart-${what}`, "data-say": word, title: key, click: () => void this.act({ what }).then(() => this.paper.focus()) }));
     const look = h("button", { type: "button", id: "chart-look", "data-say": "chartLook", click: () => {
       keep(LOOK, this.look === "grafcet" ? "norm" : "grafcet");
       void this.turnTo(this.number);
     } });
-    const pane = h("section", { class: "chart-pane", id: "chart", "data-say-label": "chart" },
+    this.pane = h("section", { class: "chart-pane", id: "chart", "data-say-label": "chart" },
       h("div", { class: "bar chart-bar" }, this.units, this.undo, this.redo, ...buttons, look), this.paper, this.form.root);
-    root.prepend(pane);
     this.paper.addEventListener("keydown", (event) => this.key(event));
     this.paper.addEventListener("click", (event) => {
       const part = (event.target as Element).closest<SVGElement>("[data-id]");
@@ -81,7 +74,7 @@ export class ChartPane {
     });
     this.paper.addEventListener("dblclick", () => this.form.focus());
     speak.follow(() => {
-      translate(pane);
+      translate(this.pane);
       this.select(this.selected);
     });
   }
@@ -90,27 +83,47 @@ export class ChartPane {
     return kept(LOOK) ?? "norm";
   }
 
-  /** Shows the chart of a text, if it has one. */
-  show({ text, checked }: Looked): Promise<void> {
+  /** Stands here, before all else, as soon as there is a chart. */
+  at(root: HTMLElement): void {
+    if (this.isAt(root)) return;
+    this.pane.parentElement?.removeAttribute("data-chart");
+    root.prepend(this.pane);
+  }
+
+  isAt(root: HTMLElement): boolean {
+    return this.pane.parentElement === root;
+  }
+
+  /** Stands here no longer. */
+  leave(root: HTMLElement): void {
+    if (!this.isAt(root)) return;
+    root.removeAttribute("data-chart");
+    this.pane.remove();
+  }
+
+  /** Shows the chart of a text, if it has one; of a project that of a unit. */
+  show({ text, checked }: Looked, unit?: string): Promise<void> {
     return this.next(async () => {
       if (text !== this.around.program.text.value) return;
+      if (unit !== this.unit) [this.unit, this.selected] = [unit, "s0"];
       if (this.past.meet(text) === "another") [this.number, this.selected] = [0, "s0"];
       this.problems = checked.problems;
-      await (checked.language === "st" ? this.draw(text) : this.take([]));
+      await (checked.language === "st" || unit !== undefined ? this.draw(text) : this.take([]));
     });
   }
 
   private async draw(of: Text): Promise<void> {
-    await asked(this.around.tools.ask("chart", { of, look: this.look, chart: this.number }), ({ charts }) => this.take(charts));
+    await asked(this.around.tools.ask("chart", { of, look: this.look, chart: Math.max(0, this.number) }), ({ charts }) => this.take(charts));
   }
 
   /** These are the charts of the text. */
   private take(charts: readonly ChartDrawn[]): void {
-    this.number = Math.max(0, Math.min(this.number, charts.length - 1));
+    const own = charts.findIndex(({ unit }) => unit === this.unit);
+    this.number = this.unit === undefined ? Math.max(0, Math.min(this.number, charts.length - 1)) : own;
     const before = this.chart;
     const chart = this.chart = charts[this.number] ?? null;
-    this.root.toggleAttribute("data-chart", chart !== null);
-    this.units.hidden = charts.length < 2;
+    this.pane.parentElement?.toggleAttribute("data-chart", chart !== null);
+    this.units.hidden = charts.length < 2 || this.unit !== undefined;
     this.units.replaceChildren(...charts.map(({ unit }, at) => h("option", { selected: at === this.number }, unit)));
     this.undo.disabled = !this.past.has("undo");
     this.redo.disabled = !this.past.has("redo");
