@@ -27,7 +27,7 @@ const parts = {
     ],
     splitting: true,
     chunkNames: "part-[hash]",
-    loader: { ".css": "text", ".il": "text" },
+    loader: { ".css": "text", ".il": "text", ".st": "text" },
     around,
   },
   bench: { ...node, entryPoints: below(lab, "test/bench", ".ts") },

@@ -123,6 +123,8 @@ export interface ChartPart {
   readonly initial: boolean;
   /** The numbers of the steps that a transition leaves. */
   readonly from: readonly number[];
+  /** Where it stands in the text, and where the statements of its action do: units of UTF-16, from and to. */
+  readonly places: readonly (readonly [number, number])[];
 }
 
 /** The charts of a text. */
@@ -423,6 +425,45 @@ export interface Problem {
   readonly help: Both;
 }
 
+/** A project. */
+export interface Project {
+  readonly name: string;
+  readonly types: readonly string[];
+  readonly globals: readonly ProjectRow[];
+  readonly units: readonly ProjectUnit[];
+}
+
+/** A variable. */
+export interface ProjectRow {
+  readonly name: string;
+  /** The element that declares it and others: `localVars`. */
+  readonly section: string;
+  readonly kind: string;
+  readonly first: string | null;
+  readonly place: string | null;
+  readonly retained: boolean;
+  readonly constant: boolean;
+  readonly comment: string;
+  /** Where it stands in the file, units of UTF-16. */
+  readonly from: number;
+  readonly to: number;
+}
+
+/** A program, a function block or a function. */
+export interface ProjectUnit {
+  readonly name: string;
+  /** `program`, `functionBlock`, `function`. */
+  readonly kind: string;
+  /** `LD`; empty where it has no body. */
+  readonly language: string;
+  /** What a function gives. */
+  readonly gives: string | null;
+  readonly comment: string;
+  readonly variables: readonly ProjectRow[];
+  /** Where it begins in the file, units of UTF-16. */
+  readonly from: number;
+}
+
 /** A moment of a machine. */
 export interface Replayed {
   /** The first of its times and the last, ms after the first scan, and when it went wrong. */
@@ -605,6 +646,33 @@ export interface Trouble {
   /** Of the text of the program that is watched. */
   readonly line: number | null;
   readonly text: Both;
+}
+
+/** An element of a drawn body. */
+export interface UnitElement {
+  /** Its number in the file. */
+  readonly id: string;
+  /** The name of its element: `contact`. */
+  readonly kind: string;
+  readonly written: string;
+  readonly negated: boolean;
+  /** `rising`, `falling`; else empty. */
+  readonly edge: string;
+  /** `set`, `reset`; else empty. */
+  readonly storage: string;
+  /** Where it stands in the file, units of UTF-16. */
+  readonly from: number;
+  readonly to: number;
+}
+
+/** The body of a unit. */
+export interface UnitShown {
+  readonly language: string;
+  /** Of ST and IL. */
+  readonly text: string;
+  /** Of LD and FBD. */
+  readonly svg: string;
+  readonly elements: readonly UnitElement[];
 }
 
 /** A place that was not as expected for a while. */
