@@ -270,7 +270,7 @@ impl Draft<'_> {
         }
     }
 
-    /// Has acc follow an input again: after a few contacts in series it is 0 for ever.
+    /// Has acc follow an input again: after a few contacts in series it is 0 forever.
     fn enliven(&mut self) {
         let Some(input) = self.xx(Kind::Input) else {
             return;

@@ -79,7 +79,7 @@ fn edit(text: &str, node: Node<'_, '_>, change: &Change) -> Option<(Range<usize>
     }
 }
 
-/// Whether a type is of the norm, and has an element of its name.
+/// Whether a type is of the standard, and has an element of its name.
 fn is_elementary(kind: &str) -> bool {
     let kind = kind.to_uppercase();
     unoclp_lang::typed::Base::named(&kind).is_some() || matches!(&*kind, "STRING" | "WSTRING")

@@ -186,7 +186,7 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
         let (en, pt) = self.name(at);
         let word = Word::from((
             format!("{en}: more elements than fit in a rung"),
-            format!("{pt}: mais elementos do que cabem em uma linha"),
+            format!("{pt}: mais elementos do que cabem em um degrau"),
         ));
         found.tell_at(Code::XmlTooLarge, span(self.elements[at].node), [word]);
     }
@@ -229,7 +229,7 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
             ),
             Some(rung) => (
                 format!("`{pou}`, rung {rung}, {en}"),
-                format!("`{pou}`, linha {rung}, {pt}"),
+                format!("`{pou}`, degrau {rung}, {pt}"),
             ),
             None => (format!("`{pou}`, {en}"), format!("`{pou}`, {pt}")),
         }

@@ -129,7 +129,7 @@ fn lacking_function(function: Extra, at: Span, found: &mut Found) {
     let instead = match is_text {
         true => instead(Base::Str),
         false => (
-            "it runs on a PC alone, with unoclp run; on the board use a table of values or a straight line between two points",
+            "it runs only on a PC, with unoclp run; on the board use a table of values or a straight line between two points",
             "só roda no PC, com unoclp run; na placa, use uma tabela de valores ou uma reta entre dois pontos",
         ),
     };

@@ -68,7 +68,7 @@ impl Parser<'_, '_> {
         self.cursor.name(what, help)
     }
 
-    /// `%IX1`, as the norm writes a point.
+    /// `%IX1`, as the standard writes a point.
     pub(super) fn address(&mut self) -> Told {
         let span = self.cursor.token().span;
         let written = self.cursor.short(span);

@@ -68,7 +68,7 @@ pub fn variable(key: &str, maker: Maker, board: Board) -> Option<(Address, Writt
     is_variable.then_some((address, written))
 }
 
-/// The point that an address names as the norm writes it: `%IX0.4`.
+/// The point that an address names as the standard writes it: `%IX0.4`.
 ///
 /// # Errors
 /// What to write, where a program can have no variable there.

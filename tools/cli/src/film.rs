@@ -1,4 +1,4 @@
-//! A run of a machine as a moving picture (GIF).
+//! A run of a machine as an animated GIF.
 //!
 //! Owns how pictures become one. Must not know what they show.
 

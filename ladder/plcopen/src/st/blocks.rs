@@ -10,7 +10,7 @@ use crate::ways::Ways;
 use unoclp_lang::Code;
 use unoclp_lang::typed::{Role, Standard};
 
-/// Inputs that a block of the norm may go without.
+/// Inputs that a block of the standard may go without.
 const LOOSE: [&str; 4] = ["R", "LD", "CU", "CD"];
 
 impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
@@ -143,7 +143,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
     }
 
-    /// An input to which nothing leads and without which a block of the norm does nothing.
+    /// An input to which nothing leads and without which a block of the standard does nothing.
     fn lacks(&self, at: usize, norm: Standard) -> Option<&'static str> {
         let pins = self.network.elements[at].inputs.iter();
         let wired: Vec<&str> = pins

@@ -119,9 +119,9 @@ macro_rules! il_rows {
         "há mais de 8 operações adiadas, umas dentro das outras"
         "guarde antes uma parte em uma memória: ST M1";
     34 InParentheses Error
-        "{0} cannot stand between ( and )"
+        "{0} is not allowed between ( and )"
         "close the deferred operation first"
-        "{0} não pode ficar entre ( e )"
+        "{0} não é permitido entre ( e )"
         "feche antes a operação adiada";
     35 NothingLoaded Error
         "the accumulator is empty here, so {0} has no value to work with"
@@ -144,9 +144,9 @@ macro_rules! il_rows {
         "não existe o ponto `{0}` nesta placa"
         "{1}";
     42 Undeclared Warning
-        "nothing declares `{0}`; it became a marker, {1}"
+        "`{0}` is not declared; it became a marker, {1}"
         "{2}"
-        "nada declara `{0}`; ele virou uma memória, {1}"
+        "`{0}` não foi declarado; ele virou uma memória, {1}"
         "{2}";
     43 NameTwice Error
         "`{0}` is declared twice"

@@ -34,9 +34,9 @@ macro_rules! iscl_rows {
         "`{0}` declara uma variável, mas há comandos antes dela"
         "mova-a para cima, antes do primeiro comando";
     307 IsclUndeclared Error
-        "nothing declares `{0}`"
+        "`{0}` is not declared"
         "{1}"
-        "nada declara `{0}`"
+        "`{0}` não foi declarado"
         "{1}";
     308 IsclNoElsif Error
         "InterSCL has no {0}"

@@ -1,4 +1,4 @@
-//! What a text in the words of the norm declares: Structured Text, SCL, Instruction List.
+//! What a text in the words of the standard declares: Structured Text, SCL, Instruction List.
 
 use super::{Named, Outline, What, begins_name};
 use crate::colour::Colour;

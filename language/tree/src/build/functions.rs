@@ -115,7 +115,7 @@ fn conversion_named(name: &str) -> Option<(Option<&str>, Base)> {
     Some((Some(from), Base::named(to)?))
 }
 
-/// The name, in capitals, of a function that the norm has for times alone too: `SUB_TIME`.
+/// The name, in capitals, of a function that the standard has for times alone too: `SUB_TIME`.
 pub fn usual(name: &str) -> &str {
     match name {
         "ADD_TIME" | "ADD_TOD_TIME" | "ADD_DT_TIME" => "ADD",

@@ -53,10 +53,10 @@ pub struct Machine {
     /// With --svg, the moments that are drawn, in place of those at which rules broke: 1s,2.5s,1min
     #[arg(long, value_name = "TIMES", requires = "plant")]
     at: Option<String>,
-    /// Write the run of the machine as a moving picture
+    /// Write the run of the machine as an animated GIF
     #[arg(long, value_name = "OUT.gif", requires = "plant")]
     gif: Option<PathBuf>,
-    /// The part of the run that the moving picture shows: 0s-12s
+    /// The part of the run that the animation shows: 0s-12s
     #[arg(long, value_name = "FROM-TO", requires = "gif")]
     span: Option<String>,
 }
