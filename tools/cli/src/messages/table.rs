@@ -74,8 +74,8 @@ unoclp_words::messages! {
         "{place}: calls are nested too deeply here; split the expression"
         "{place}: há chamadas demais umas dentro das outras; divida a expressão";
     codes_of_a_board(place)
-        "{place}: only a board runs codes of CODE; run the program with unoclp sim"
-        "{place}: só uma placa executa códigos de CODE; rode o programa com unoclp sim";
+        "{place}: only a board runs the codes after CODE; run the program with unoclp sim"
+        "{place}: só uma placa executa os códigos depois de CODE; rode o programa com unoclp sim";
     not_computed(place)
         "{place}: this value could not be computed, and S 04 was set: division by 0, overflow, or a subscript out of range"
         "{place}: não foi possível calcular este valor, e S 04 foi ligado: divisão por 0, estouro ou índice fora da faixa";
@@ -245,7 +245,7 @@ unoclp_words::messages! {
     restarting(settings) "{settings}; restarting" "{settings}; reiniciando";
     answers_from(line) "it answers from {line}" "ela responde: {line}";
     not_for(board)
-        "the {board} at the port does not have all that the program needs; nothing was sent"
+        "the {board} at the port lacks something that the program needs; nothing was sent"
         "a placa {board} na porta não tem tudo o que o programa usa; nada foi enviado";
     met(identity, port, address)
         "{identity} at {port}, address {address}"

@@ -28,7 +28,7 @@ pub(crate) mod bin {
         values {
             count: COUNT, "how much has fallen into it" "quanto caiu nela";
             right: COUNT, "how much of that belongs in it" "quanto disso deve estar nela";
-            wrong: COUNT, "how much does not" "quanto não deve";
+            wrong: COUNT, "how much does not belong in it" "quanto não deve estar nela";
         }
         faults { }
     }
