@@ -31,7 +31,7 @@ pub enum Kind {
     Program,
     /// A page for a browser.
     Page,
-    /// A moving picture (GIF).
+    /// An animated GIF.
     Film,
 }
 

@@ -144,7 +144,7 @@ fn moment(text: &str, until: u64) -> anyhow::Result<u64> {
     }
 }
 
-/// From when to when the moving picture goes, ms.
+/// From when to when the animation goes, ms.
 fn span(text: Option<&str>, until: u64) -> anyhow::Result<(u64, u64)> {
     let Some(text) = text else {
         return Ok((0, until));

@@ -48,7 +48,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("wheel", ""),
             12,
-            "`kind` cannot be \"wheel\"; give \"button\"",
+            "`kind` cannot be \"wheel\"; choose \"button\"",
         ),
         (part("lamp", ""), 10, "`by` is missing; write `by = \"Q1\"`"),
         (part("lamp", "by = 1\n"), 13, "`by` takes another kind"),
@@ -156,7 +156,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("lamp", "by = \"Q2\"\ncolour = \"pink\"\n"),
             14,
-            "`colour` cannot be \"pink\"; give \"green\"",
+            "`colour` cannot be \"pink\"; choose \"green\"",
         ),
         (
             part(
