@@ -51,7 +51,7 @@ unoclp_words::messages! {
         "há um envio em andamento; reinicie a placa para cancelá-lo";
     refused_scan()
         "single scans work in STOP only; stop the board first"
-        "varreduras avulsas só em STOP; pare a placa antes";
+        "uma varredura única só é possível em STOP; pare a placa antes";
     commands_locked()
         "commands are locked on this board"
         "os comandos estão bloqueados nesta placa";

@@ -68,7 +68,7 @@ export const SITE = {
   deedsTable: ["Who did what", "Quem fez o quê"],
   deedRun: ["run", "executou"],
   deedStop: ["stop", "parou"],
-  deedScan: ["single scan", "uma varredura"],
+  deedScan: ["single scan", "varredura única"],
   deedRestart: ["restart", "reiniciou"],
   deedForce: ["force", "forçou"],
   deedWrite: ["write", "escreveu"],

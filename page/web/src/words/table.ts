@@ -158,7 +158,7 @@ export const TABLE = {
   time: ["Time", "Tempo"],
   goOn: ["Go on", "Continuar"],
   pause: ["Pause", "Pausar"],
-  scan: ["Single scan", "Uma varredura"],
+  scan: ["Single scan", "Varredura única"],
   scanHint: ["Makes one scan from where the program is; a board in RUN stops first, with its outputs off", "Faz uma varredura de onde o programa está; uma placa em RUN para antes, com as saídas desligadas"],
   fetch: ["Read the program from the board", "Ler o programa da placa"],
   fetched: ["This is the program of the board, as numeric code: a board keeps no names.", "Este é o programa da placa, em código numérico: uma placa não guarda nomes."],

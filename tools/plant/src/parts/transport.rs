@@ -259,7 +259,7 @@ pub(crate) mod pusher {
             position: SHARE, "how far it is extended" "quanto está avançado";
             at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully retracted" "se está todo recuado";
             out: FLAG, "whether it is fully extended" "se está todo avançado";
-            hits: DAMAGE, "whether something has run into it while it was out" "se algo bateu nele enquanto estava avançado";
+            hits: DAMAGE, "whether something has run into it while it was extended" "se algo bateu nele enquanto estava avançado";
             fine: inner(0, 1_000_000), "its position in small steps" "a posição em passos pequenos";
             alone: inner(0, 1), "whether its way was free as it set out" "se o caminho estava livre ao avançar";
         }

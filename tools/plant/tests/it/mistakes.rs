@@ -164,9 +164,9 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
                 "by = \"y.lit\"\n[[part]]\nname = \"y\"\nkind = \"lamp\"\nby = \"x.lit\"\n",
             ),
             10,
-            "in a circle: x → y → x",
+            "in a loop: x → y → x",
         ),
-        (part("lamp", "by = \"x.lit\"\n"), 10, "in a circle: x → x"),
+        (part("lamp", "by = \"x.lit\"\n"), 10, "in a loop: x → x"),
         (
             with("[[never]]\nwhen = \"k.closed AND\"\ntext = \"x\"\n"),
             11,
