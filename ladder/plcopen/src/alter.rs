@@ -1,4 +1,4 @@
-//! A row of a table of variables, changed in the file; all else of the file stays as it is, to the byte.
+//! A row of a table of variables, changed in the file; everything else in the file stays the same, byte for byte.
 
 use crate::export::escaped;
 use crate::found::Found;

@@ -208,7 +208,7 @@ impl Parser<'_, '_> {
         Ok(StatementKind::If(condition, then, otherwise))
     }
 
-    /// What stands between `{` and `}`.
+    /// What is between `{` and `}`.
     fn body(&mut self, word: &str) -> Parsed<Vec<Statement>> {
         let open = self.cursor.token().span;
         if !self.cursor.accept(Sign::OpenBrace) {

@@ -139,7 +139,7 @@ pub struct Spellings(HashMap<Address, (Spelling, Span)>);
 
 impl Spellings {
     /// Notes how a point is written there. One that is written in two ways, such as `I2` and `%I0.1`, was meant to be
-    /// two, which is told by this code.
+    /// two, which is reported by this code.
     pub fn note(
         &mut self,
         (address, written): (Address, &Written),

@@ -1,4 +1,4 @@
-//! What the command line shows on a terminal, and how it gets at a board.
+//! What the command line shows on a terminal, and how it reaches a board.
 //!
 //! - [`run`]: the whole command, by the arguments of this process; `commands`: what each word of them does
 //! - [`panel`]: the simulator

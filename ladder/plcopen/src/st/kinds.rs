@@ -1,4 +1,4 @@
-//! Of which type a result is, where a variable has to keep it.
+//! The type of a result that a variable has to keep.
 
 use super::Body;
 use super::units::{returns, standard};

@@ -1,4 +1,4 @@
-//! What is said about Instruction List: codes 11 to 99.
+//! Messages about Instruction List: codes 11 to 99.
 
 macro_rules! il_rows {
     ($next:ident $($rest:tt)*) => {

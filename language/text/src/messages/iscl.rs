@@ -1,4 +1,4 @@
-//! What is said about InterSCL alone: codes 301 to 399. What it shares with Structured Text is in `st`.
+//! Messages about InterSCL only: codes 301 to 399. What it shares with Structured Text is in `st`.
 
 macro_rules! iscl_rows {
     ($next:ident $($rest:tt)*) => {

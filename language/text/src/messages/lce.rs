@@ -1,4 +1,4 @@
-//! What is said about LCE alone: codes 401 to 499. What it shares with Structured Text is in `st`.
+//! Messages about LCE only: codes 401 to 499. What it shares with Structured Text is in `st`.
 
 macro_rules! lce_rows {
     ($next:ident $($rest:tt)*) => {

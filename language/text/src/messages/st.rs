@@ -1,4 +1,4 @@
-//! What is said about Structured Text, and about names and types in all typed languages: codes 101 to 299.
+//! Messages about Structured Text, and about names and types in all typed languages: codes 101 to 299.
 
 macro_rules! st_rows {
     ($next:ident $($rest:tt)*) => {

@@ -1,4 +1,4 @@
-//! What is said about projects in PLCopen XML: codes 501 to 599.
+//! Messages about projects in PLCopen XML: codes 501 to 599.
 
 macro_rules! xml_rows {
     ($next:ident $($rest:tt)*) => {

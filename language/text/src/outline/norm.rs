@@ -169,7 +169,7 @@ impl<'t> Walk<'t> {
         self.at += 1;
     }
 
-    /// A section of variables, up to its end or what cannot stand in one.
+    /// A section of variables, up to its end or what cannot be in one.
     fn variables(&mut self, section: Span) {
         while let Some(word) = self.word(0) {
             if word.is_border() {

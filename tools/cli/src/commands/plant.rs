@@ -26,7 +26,7 @@ pub enum OfPlant {
         #[command(flatten)]
         wording: Wording,
     },
-    /// Draw a plant as it stands at first
+    /// Draw a plant as it is at first
     Draw {
         /// The plant (.toml)
         #[arg(value_name = "PLANT.toml")]
