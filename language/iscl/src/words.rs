@@ -196,7 +196,7 @@ pub(super) fn lacking(word: &str) -> Option<(&'static str, &'static str)> {
             "ponha em um IF o que não deve ser executado",
         ),
         "MOD" => (
-            "compute the rest: a - a / b * b",
+            "compute the remainder: a - a / b * b",
             "calcule o resto: a - a / b * b",
         ),
         "XOR" => (

@@ -248,7 +248,7 @@ impl Parser<'_, '_> {
         let written = self.cursor.written();
         let help = match written {
             "%" => (
-                "compute the rest: V0 - V0 / V1 * V1",
+                "compute the remainder: V0 - V0 / V1 * V1",
                 "calcule o resto: V0 - V0 / V1 * V1",
             ),
             "**" => ("multiply: V0 * V0", "multiplique: V0 * V0"),

@@ -75,7 +75,7 @@ pub(crate) mod heater {
         fields {
             by: Form::Duty, "what drives it" "o que a aciona";
             within: Form::Part(OVENS), "its oven" "o forno dela";
-            warms: Form::Number(Unit::MilliC, 1000, 500_000, 250_000), "how much it warms the oven in the end" "quanto esquenta o forno no fim";
+            warms: Form::Number(Unit::MilliC, 1000, 500_000, 250_000), "how far it finally warms the oven" "quanto aquece o forno no total";
         }
         values { power: SHARE, "how much of its power it gives" "quanto da potência dá"; }
         faults { Open Welded }
