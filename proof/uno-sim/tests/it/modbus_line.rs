@@ -528,7 +528,7 @@ fn no_scan_grows_by_more_than_300_us() {
 /// A program whose scans take 3 ms.
 fn scans_of_3_ms() -> Uno {
     let timers = "787600\n847978\n100000\n7901\n".repeat(45);
-    let mut uno = serving(&format!("0\n{timers}766801\n{}", "68738602\n".repeat(62)));
+    let mut uno = serving(&format!("0\n{timers}766801\n{}", "68738602\n".repeat(64)));
     write_words(&mut uno, 0, &[0x7FFF, 0xFFFF, 0, 3]).unwrap();
     let scan = longest(&mut uno, 100);
     println!("a scan of {scan} cycles");
