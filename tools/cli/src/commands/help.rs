@@ -254,12 +254,12 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "sim",
         "gif",
-        "Grava a execução da máquina como imagem animada",
+        "Grava a execução da máquina como animação",
     ),
     (
         "sim",
         "span",
-        "O trecho da execução que a imagem animada mostra: 0s-12s",
+        "O trecho da execução que a animação mostra: 0s-12s",
     ),
     (
         "sim",
