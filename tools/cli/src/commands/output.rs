@@ -15,7 +15,7 @@ use unoclp_program::{is_ours, shown};
 /// What may be overwritten.
 #[derive(Args, Clone, Copy)]
 pub struct Over {
-    /// Overwrite a file that is there, even if unoclp has not written it
+    /// Overwrite an existing file, even if unoclp has not written it
     #[arg(long)]
     force: bool,
 }

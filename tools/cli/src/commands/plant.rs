@@ -18,7 +18,7 @@ use unoclp_program::shown;
 /// What may be done with a plant alone.
 #[derive(Subcommand)]
 pub enum OfPlant {
-    /// Say what a plant has and asks, or every mistake with its line
+    /// Show the parts and the goals of a plant, or every mistake with its line
     Check {
         /// The plant (.toml)
         #[arg(value_name = "PLANT.toml")]
@@ -44,13 +44,13 @@ pub enum OfPlant {
 /// A machine that a program is to control.
 #[derive(Args)]
 pub struct Machine {
-    /// Let the program control this machine: goals and rules are judged
+    /// Let the program control this machine, and check its goals and rules
     #[arg(long, value_name = "PLANT.toml", conflicts_with = "scenario")]
     plant: Option<PathBuf>,
-    /// What chance begins with, in place of the plant's own
+    /// The seed of random events, instead of the plant's own
     #[arg(long, value_name = "N", requires = "plant")]
     seed: Option<u32>,
-    /// With --svg, the moments that are drawn, in place of those at which rules broke: 1s,2.5s,1min
+    /// With --svg, the moments to draw, instead of those of broken rules: 1s,2.5s,1min
     #[arg(long, value_name = "TIMES", requires = "plant")]
     at: Option<String>,
     /// Write the run of the machine as an animated GIF
