@@ -183,7 +183,7 @@ test("many instructions at once are the same as one by one", () => {
   }
 });
 
-/** A chip that counts for ever: `inc r16`, `out 0x1e, r16`, `rjmp` to the first; four cycles. */
+/** A chip that counts forever: `inc r16`, `out 0x1e, r16`, `rjmp` to the first; four cycles. */
 function counting(): CPU {
   const cpu = new CPU(new Uint16Array(WORDS), RAM_LEN);
   cpu.progMem.set([0x9503, 0xbb0e, 0xcffd]);

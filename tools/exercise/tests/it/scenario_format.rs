@@ -239,7 +239,7 @@ fn a_restart_keeps_retentive_markers_alone() {
 
 #[test]
 fn a_run_may_end_in_a_fault() {
-    // Jumps back for ever while I1 is closed.
+    // Jumps back forever while I1 is closed.
     let head = "about = \"\"\ntext = \"0\\n766601\\n827301\\n74778001\\n787600\\n877901\\n\"\n";
     let step = "[[step]]\nat = 3\nset = { I1 = 1 }\n";
     let told = |name: &str, stops: &str| {

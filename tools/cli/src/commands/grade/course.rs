@@ -32,7 +32,7 @@ pub struct Course {
 }
 
 impl Course {
-    /// That of an exercise, or of a folder of them. Nothing where the machine of the only one is wrong, which is told.
+    /// That of an exercise, or of a folder of them. Nothing where the machine of the only one is wrong, which is reported.
     ///
     /// # Errors
     /// If the exercise is wrong, or the folder has none.

@@ -1,4 +1,4 @@
-//! What came of a program.
+//! The result of a program.
 
 use super::super::plant::what_first;
 use super::super::wording::Wording;
