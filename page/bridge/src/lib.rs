@@ -54,6 +54,8 @@ mod machine;
 mod more;
 mod program;
 #[cfg(feature = "full")]
+mod project;
+#[cfg(feature = "full")]
 mod replay;
 #[cfg(feature = "full")]
 mod slow;

@@ -7,6 +7,7 @@ import { CYCLES_PER_MS } from "../src/chip/registers";
 import { readHex } from "../src/hex";
 import type { ResetCause } from "../src/messages";
 import { type Places, placesOf } from "../src/slow";
+import { WIRINGS } from "../src/wiring";
 
 // Tests are bundled below target/uno or target/lab, and the firmware into target/firmware.
 const target = import.meta.url.slice(0, import.meta.url.lastIndexOf("/target/") + 8);
@@ -23,7 +24,7 @@ export function firmwareBytes(): Uint8Array {
 }
 
 export function firmware(): Uint16Array {
-  const flash = readHex(firmwareHex());
+  const flash = readHex(firmwareHex(), WIRINGS.uno.chip.flash);
   if (!flash) throw new Error("the firmware is no Intel hex");
   return flash;
 }
@@ -78,7 +79,7 @@ export interface Fixture {
 /** A board with the firmware, before its plug goes in. */
 export function newBoard(flash = firmware()): Fixture {
   const notes = new Notes();
-  return { board: new Board(flash, notes), notes };
+  return { board: new Board("uno", flash, notes), notes };
 }
 
 /** The same, with the plug in, and a card with this program. */

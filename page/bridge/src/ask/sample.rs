@@ -16,6 +16,7 @@ const MOTOR: &str = include_str!("../../../../programs/plants/motor.toml");
 const FIND: &str = include_str!("../../../../programs/exercises/find/01-motor.toml");
 const EXERCISE: &str = include_str!("../../../../programs/exercises/01-contacts.toml");
 const CHART: &str = include_str!("../../../../programs/charts/filling.st");
+const PROJECT: &str = include_str!("../../../web/test/page/plc.xml");
 const HEX: &str = include_str!("../../../../firmware/unoclp-uno.hex");
 
 /// A page that asks.
@@ -106,7 +107,7 @@ impl Page {
 
     /// What may stand there; none where it is left out.
     fn value(&mut self, ask: &str, key: &str, of: &str) -> Option<Value> {
-        if of.ends_with('?') && self.random.below(2) == 0 {
+        if of.ends_with('?') && ask != "alter" && self.random.below(2) == 0 {
             return None;
         }
         let program = self.program();
@@ -129,6 +130,13 @@ impl Page {
                 let text = json!({ "ask": "text", "name": "c.st", "text": CHART });
                 self.ok(&text)
             }
+            ("project" | "unit" | "alter", "version") => {
+                let text = json!({ "ask": "text", "name": "plc.xml", "text": PROJECT });
+                self.ok(&text)
+            }
+            ("unit" | "alter", "unit") => json!("Main"),
+            ("alter", "what") => self.any(&["name", "kind", "place", "comment"].map(Value::from)),
+            ("alter", "at") => json!("start"),
             (_, "version") => {
                 let text = json!({ "ask": "text", "name": program.0, "text": program.1 });
                 self.ok(&text)

@@ -26,6 +26,8 @@ use crate::facts::Facts;
 use crate::machine::{Known, Look, Searched};
 use crate::program::Checked;
 #[cfg(feature = "full")]
+use crate::project::{Project, UnitShown};
+#[cfg(feature = "full")]
 use crate::replay::Replay;
 #[cfg(feature = "full")]
 use crate::slow::Stood;
@@ -63,7 +65,7 @@ asks! {
 }
 
 /// What takes the module that has everything.
-pub const MORE: [&str; 34] = [
+pub const MORE: [&str; 37] = [
     "list",
     "adapt",
     "pages",
@@ -98,6 +100,9 @@ pub const MORE: [&str; 34] = [
     "chart",
     "slow",
     "slowly",
+    "project",
+    "unit",
+    "alter",
 ];
 
 #[cfg(feature = "full")]
@@ -189,4 +194,12 @@ asks! {
     /// The scan that this computer makes goes on, to where one of these instructions comes next, or any; `through` the ends of scans,
     /// or else to the end of this one. Null where it has not come there yet.
     Slowly "slowly" { board: u32, to: Steps, through: bool } -> Option<Stood>;
+    /// The units of a project, and their variables.
+    Project "project" { version: Version } -> Box<Project>;
+    /// The body of a unit of a project; null where it has none.
+    Unit "unit" { version: Version, unit: String } -> Option<UnitShown>;
+    /// A project in which something is another: of a variable of a unit, or a global one, `name`, `kind`, `first`, `place`,
+    /// `comment`, `retained`, or all of it by `add` and `remove`; of an element of a drawn body `written`, `negated`, `edge`,
+    /// `storage`; the `body` of a unit in text.
+    Alter "alter" { version: Version, unit: Option<String>, what: String, at: String, to: String } -> String;
 }

@@ -7,8 +7,9 @@ import { asked } from "./asked";
 import type { Bench } from "./bench";
 import type { CardSlot } from "./cardslot";
 import type { ProgramDocument } from "./document";
-import { h } from "./dom";
+import { byId, h } from "./dom";
 import { download, pick } from "./files";
+import { later } from "./later";
 import { looks } from "./look";
 import { type Row, elementsOf, entry, menu } from "./menu";
 import { note } from "./notes";
@@ -22,6 +23,8 @@ import { tongue } from "./tongue";
 const SVG = "image/svg+xml";
 /** Programs of before that the menu has. */
 const KEPT = 6;
+/** The chart with which one begins. */
+const newChart = later(async () => (await import("./sfc/new.st")).default);
 
 interface Parts {
   readonly program: ProgramDocument;
@@ -109,6 +112,15 @@ function files({ program, open, take, slot, remote, goTo, showPrograms }: Parts)
         write();
       },
     },
+    {
+      id: "new-chart",
+      say: "newChart",
+      act: () => void newChart().then((text) => {
+        if (text === null) return;
+        open({ name: "chart.st", text });
+        byId("view-draw").click();
+      }),
+    },
     { id: "open-file", say: "openFile", act: () => pick((files) => void take(files)) },
     { id: "save-file", say: "saveFile", act: () => save(program) },
     { id: "programs", say: "programs", act: showPrograms },
@@ -124,6 +136,7 @@ function files({ program, open, take, slot, remote, goTo, showPrograms }: Parts)
         pages.forEach((page, at) => download(`${stem}-${at + 1}.svg`, page, SVG));
       }),
     },
+    { id: "make-project", say: "makeProject", when: () => code !== undefined && !text.name.endsWith(".xml"), act: () => void asked(remote.ask("list", { ...shown, as: "xml" }), (xml) => open({ name: `${stem}.xml`, text: xml })) },
     { id: "save-project", say: "saveProject", when, act: () => void asked(remote.ask("list", { ...shown, as: "xml" }), (xml) => download(`${stem}.xml`, xml, "application/xml")) },
     {
       id: "save-card",

@@ -48,7 +48,7 @@ pub struct App {
     pub(super) drawn: Drawn,
     /// The line that a fault names, in the text of the program.
     pub(super) fault_line: Option<usize>,
-    /// Where its steps stand in its text.
+    /// Where its steps are in its text.
     map: SourceMap,
     /// Its text, line by line.
     text: Vec<String>,
@@ -181,7 +181,7 @@ impl App {
     }
 
     /// What the program counts and remembers, as it stood in the last scan: each with its name. The variables of one that
-    /// declares them stand in place of counters, registers and markers.
+    /// declares them are in place of counters, registers and markers.
     pub(super) fn memory(&self) -> Vec<Vec<Span<'static>>> {
         let machine = &self.machine;
         let selected = self.knobs.selected().map(|input| format!("A{input}"));

@@ -60,7 +60,7 @@ impl Drawn {
         }
     }
 
-    /// What is shown, and which steps are active, where `read` gives what stands at a point.
+    /// What is shown, and which steps are active, where `read` gives what is at a point.
     pub fn title(&self, read: impl Fn(Address) -> Option<i32>) -> String {
         let what = match self.view {
             View::Text => messages::text(),
