@@ -49,6 +49,20 @@ test("to here: the engine goes through scans at full speed until it comes there"
   assert.equal(stood[0]?.left[0]?.value, null);
 });
 
+test("to here again and again: what is told is of this scan, and of what comes right before the stop", () => {
+  const { desk, slow, stood } = held("motor");
+  const last = slow.seams.length - 2;
+  assert.ok(last > 5, `${last} seams`);
+  for (let scan = 0; scan < 3; scan += 1) {
+    slow.go({ to: [slow.seams[last]?.step ?? 0], through: true });
+    desk.obey({ kind: "run" });
+    desk.pass(1000);
+  }
+  const told = slow.seams.slice(last - 4, last).map(({ step }) => step);
+  assert.deepEqual(stood.map(({ left }) => left.map(({ from }) => from)), [told, told, told]);
+  assert.deepEqual(stood.map(({ pushed }) => pushed), [[], [], []]);
+});
+
 test("images stand beside pins: a button that is pressed in the middle of a scan is no input of it", () => {
   const { desk, slow, stood } = held("motor");
   slow.go({ to: null, through: false });

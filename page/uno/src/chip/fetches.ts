@@ -52,6 +52,11 @@ export class Fetches {
     return true;
   }
 
+  /** Whether the byte at this address is marked. */
+  tells(at: number): boolean {
+    return this.marks[at + 1] !== 0;
+  }
+
   /** acc behind what begins at this address; `null` where this scan has not done it. */
   acc(at: number): boolean | null {
     const passed = this.passed[at] ?? 0;

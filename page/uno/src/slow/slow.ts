@@ -11,6 +11,8 @@ import { type Places, type Seam, seamsOf } from "./linked";
 const [IMAGES, VALUE] = [18, 22] as const;
 /** Inputs and outputs that the images have, each. */
 const NEAR = 4;
+/** Seams before a stop whose acc is known where the engine comes to it at full speed. */
+const BEFORE = 5;
 /** No instruction of the program stands there. */
 const NOWHERE = -2;
 
@@ -88,9 +90,11 @@ export class Slow {
     this.order = order;
     const { fetches, seams } = this;
     this.wanted = new Set(order.to ? order.to.flatMap((wanted) => seams.find(({ step }) => step >= wanted) ?? []) : seams);
-    for (const seam of seams) {
-      // One that stops within this scan goes from seam to seam: the value after each is told.
-      fetches.mark(seam.at, !order.through || this.wanted.has(seam) ? STOP : SEAM);
+    const before = (index: number): boolean => seams.slice(index, index + BEFORE).some((seam) => this.wanted.has(seam));
+    for (const [index, seam] of seams.entries()) {
+      // One that stops within this scan goes from seam to seam: the value after each is told. One that goes at full speed knows
+      // acc after what comes right before its stop.
+      fetches.mark(seam.at, !order.through || this.wanted.has(seam) ? STOP : index === 0 || before(index) ? SEAM : 0);
     }
     this.board.fetches = fetches;
   }
@@ -169,7 +173,8 @@ export class Slow {
   private left(): Left[] {
     return this.seams.flatMap(({ step, at }, index) => {
       const [acc, next] = [this.fetches.acc(at), this.seams[index + 1]];
-      if (!next || acc === null) return [];
+      // Between two that are not both told of, there may have been others.
+      if (!next || acc === null || !this.fetches.tells(at) || !this.fetches.tells(next.at)) return [];
       return [{ from: step, to: next.step - 1, acc, ...(this.values.get(index) ?? { value: null, images: null }) }];
     });
   }
