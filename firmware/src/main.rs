@@ -72,6 +72,8 @@ fn open_line(board: &mut Board) -> bool {
     let mut settings = Settings::new();
     settings.load(&board.eeprom, defaults);
     board.serial.open(&settings.line());
+    #[cfg(mega)]
+    board.bus.open(&settings.line());
     defaults
 }
 

@@ -213,6 +213,8 @@ scan_begin:
 .Lscan_written:
         lds     r24, PORT_AT
         or      r24, r25
+        lds     r25, BUS_AT
+        or      r24, r25
         brne    .Lscan_end
         sbic    0x09, 0         ; PIND: STOP
         rjmp    scan_begin

@@ -16,6 +16,7 @@ mod diagnosis;
 mod fault_matrix;
 #[path = "../it/kept.rs"]
 mod kept;
+mod lines;
 #[path = "../it/live.rs"]
 mod live;
 #[path = "../it/modbus.rs"]
