@@ -74,6 +74,7 @@ unoclp_words::messages! {
     own_contacts() "real contacts drive the board's inputs; force the input instead" "contatos reais comandam as entradas da placa; force a entrada";
     no_settings() "a program on this computer has no settings" "um programa neste computador não tem configurações";
     own_program() "this computer runs the program that is open in the page" "este computador executa o programa aberto na página";
+    none_runs() "no program runs here; press Run" "nenhum programa está em execução aqui; aperte Executar";
     none_given() "no program has been given yet; press Run" "nenhum programa foi enviado ainda; aperte Executar";
     no_model(name) "no board is called {name}" "nenhuma placa se chama {name}";
     no_address(address, least, most) "address {address} is not valid; a board has an address from {least} to {most}" "o endereço {address} não é válido; uma placa tem um endereço de {least} a {most}";

@@ -20,6 +20,7 @@ mod text;
 mod xml;
 
 pub use lost::Lost;
+pub(crate) use text::chart_body;
 pub use text::export_text;
 
 /// A project.

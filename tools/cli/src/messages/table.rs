@@ -595,8 +595,16 @@ unoclp_words::messages! {
     paused() "PAUSED" "PAUSA";
     ran(ms, scans) "{ms} ms  {scans} scans " "{ms} ms  {scans} varreduras ";
     sim_keys(run, view, mode, more)
-        " q quit  space {run}  s scan  r restart  v {view}  m {mode}{more}  ↑↓ scroll"
-        " q sai  espaço {run}  s varre  r reset  v {view}  m {mode}{more}  ↑↓ rola";
+        " q quit  space {run}  s scan  e slow  r restart  v {view}  m {mode}{more}  ↑↓ scroll"
+        " q sai  espaço {run}  s varre  e lento  r reset  v {view}  m {mode}{more}  ↑↓ rola";
+    slow_keys()
+        " e element  g rung  l line  s end of scan  b breakpoint  space go on  q quit"
+        " e elemento  g degrau  l linha  s fim da varredura  b parada  espaço segue  q sai";
+    slow_next(line, acc, value, stack)
+        "next line {line}  acc {acc}  value {value}{stack}"
+        "próxima linha {line}  acc {acc}  valor {value}{stack}";
+    slow_last(acc, value, stack) "end of the scan  acc {acc}  value {value}{stack}" "fim da varredura  acc {acc}  valor {value}{stack}";
+    slow_stack(values) "  stack {values}" "  pilha {values}";
     pause() "pause" "pausa";
     run() "run" "roda";
     stop() "stop" "para";
