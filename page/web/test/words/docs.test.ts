@@ -7,6 +7,7 @@ import { test } from "node:test";
 import { CHART } from "../../src/words/charttable";
 import { DRAW } from "../../src/words/drawtable";
 import { LEARN } from "../../src/words/learntable";
+import { SLOW } from "../../src/words/slowtable";
 import { PROJECT } from "../../src/words/projecttable";
 import { SLOW } from "../../src/words/slowtable";
 import { TABLE } from "../../src/words/table";
