@@ -328,6 +328,6 @@ fn shown(failing: &scenario::Failing, exercise: &Exercise) -> Shown {
             to: unmet.to,
         }),
         why: both(|lang| report.verdict.brief(lang)),
-        svg: both(|lang| diagram::svg(&[run], &exercise.names, lang)),
+        svg: both(|lang| diagram::column(&[run], &exercise.names, lang)),
     }
 }

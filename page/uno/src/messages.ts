@@ -56,7 +56,9 @@ export type Command =
   /** How bytes come and go at the page's end of the line. A board that is set otherwise reads garbage, as a real one. */
   | { readonly kind: "line"; readonly format: SerialFormat }
   /** Bytes to the board, one after the other at the rate of the line. */
-  | { readonly kind: "serial"; readonly bytes: Uint8Array };
+  | { readonly kind: "serial"; readonly bytes: Uint8Array }
+  /** What time it is there: told behind all that has happened until then. */
+  | { readonly kind: "time" };
 
 /** Why the chip began again. */
 export type ResetCause = "power" | "button" | "brown-out" | "watchdog";
@@ -114,4 +116,5 @@ export type Event =
   | { readonly kind: "pace"; readonly at: number; readonly factor: number; readonly asked: number }
   /** Time stands now: after `pause`, or at the end of a `step`. */
   | { readonly kind: "paused"; readonly at: number }
+  | { readonly kind: "time"; readonly at: number }
   | { readonly kind: "trouble"; readonly trouble: Trouble };

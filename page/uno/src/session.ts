@@ -228,6 +228,10 @@ export class Session implements Witness {
         board?.send(command.bytes);
         this.isAsked = true;
         return null;
+      case "time":
+        this.report();
+        this.tell({ kind: "time", at: this.at });
+        return null;
     }
   }
 

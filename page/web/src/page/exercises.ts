@@ -113,7 +113,9 @@ export class Exercises {
   /** Opens the exercise of this name. */
   async choose(name: string): Promise<void> {
     await this.load();
-    this.at = Math.max(0, this.all.findIndex((exercise) => exercise.name === name));
+    const at = this.all.findIndex((exercise) => exercise.name === name);
+    if (at < 0) return note(() => sayHere("exerciseUnknown", { name }));
+    this.at = at;
     this.keep();
     this.appear();
   }

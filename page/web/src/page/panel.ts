@@ -58,17 +58,18 @@ export class Panel {
       this.allButtons.setAttribute("aria-pressed", "false");
       this.offer(board, false);
     });
-    bench.pins.follow((pins) => {
-      if (bench.where.value !== "simulated") return;
-      this.lamps.light((output) => pins?.outputs[output - 1] ?? 0);
-    });
+    // Where time stands, the last reading is all that is known of that instant: the ladder shows the same.
+    const light = (): void => {
+      const { where, paused, pins: { value: pins }, seen: { value: seen } } = bench;
+      if (where.value === "simulated" && !(paused.value && seen)) return this.lamps.light((output) => pins?.outputs[output - 1] ?? 0);
+      if (!seen) return;
+      const dimmed = new Map(seen.dimmed);
+      this.lamps.light((output) => (dimmed.has(output) ? (dimmed.get(output) ?? 0) / 255 : Number(seen.outputs.includes(output))));
+    };
+    for (const signal of [bench.pins, bench.seen, bench.paused]) (signal as typeof bench.paused).follow(light);
     bench.seen.follow((seen) => {
       this.buttons.forced(seen?.forcedInputs ?? []);
       this.lamps.forced(seen?.forcedOutputs ?? []);
-      if (bench.where.value !== "simulated" && seen) {
-        const dimmed = new Map(seen.dimmed);
-        this.lamps.light((output) => (dimmed.has(output) ? (dimmed.get(output) ?? 0) / 255 : Number(seen.outputs.includes(output))));
-      }
     });
     bench.power.follow((on) => {
       if (on) this.buttons.tellAll();

@@ -21,6 +21,8 @@ export class SimulatedBoard implements Clock {
   hasPower = false;
   /** Which board it is. */
   id: BoardId = "uno";
+  /** Who has asked for the time. */
+  private readonly asking: (() => void)[] = [];
 
   constructor(
     private readonly worker: BoardWorker,
@@ -78,6 +80,13 @@ export class SimulatedBoard implements Clock {
     return this.runs && this.hasPower ? this.pace : 0;
   }
 
+  ask(): Promise<void> {
+    return new Promise((told) => {
+      this.asking.push(told);
+      this.worker.postMessage({ kind: "time" });
+    });
+  }
+
   private settle(at: number, runs = this.runs): void {
     this.at = at;
     this.known = performance.now();
@@ -93,6 +102,7 @@ export class SimulatedBoard implements Clock {
     if (event.kind === "pace") this.pace = event.factor > 0 ? event.factor : this.pace;
     if (event.kind === "paused") this.settle(event.at, false);
     else if ("at" in event) this.settle(event.at);
+    if (event.kind === "time") this.asking.shift()?.();
     // A browser that keeps nothing begins with an empty EEPROM.
     if (event.kind === "eeprom") keepHere(EEPROM[this.id], btoa(String.fromCharCode(...event.bytes)));
   }

@@ -28,6 +28,8 @@ export const LEARN = {
   handInSave: ["Save the file", "Salvar o arquivo"],
   handInSaved: ["Saved as {file}. Send this file to your teacher.", "Salvo como {file}. Envie este arquivo ao seu professor."],
   handedIn: ["This was handed in by {name}, for the exercise {exercise}.", "Isto foi entregue por {name}, para o exercício {exercise}."],
+  handedInOpen: ["Open the exercise", "Abrir o exercício"],
+  exerciseUnknown: ["The exercise {name} is not here: open its file.", "O exercício {name} não está aqui: abra o arquivo dele."],
   handedInNone: ["{file} is not a hand-in, or is damaged. Ask for the file that Hand in saved. Your program is still here.", "{file} não é uma entrega, ou está danificado. Peça o arquivo que Entregar salvou. O seu programa continua aqui."],
   judgedWell: ["No rule was broken, from the beginning to the end of the machine's own test.", "Nenhuma regra foi violada, do começo ao fim do teste da própria máquina."],
   replayOf: ["The machine, from two seconds before", "A máquina, desde dois segundos antes"],
