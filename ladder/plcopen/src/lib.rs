@@ -12,7 +12,8 @@
 //! - `contacts`, `blocks`, `instances`, `values`: what stands on that way
 //! - `pins`, `unused`: wires that lead nowhere, and what they come from
 //! - `outputs`: the circuits of a network; `effects`: which of them may change places; `anew`: contacts that each output reads for itself; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
-//! - `outline`: its units and their variables, as a tree; `alter`: one of these changed in the file
+//! - `outline`: its units and their variables, as a tree; `alter`: one of these changed in the file; `whole`: all of it as
+//!   one text, for who looks for a name
 //! - `adapt`: points that another PLC has, on this board; `comments`: texts without them
 //! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces stand in the file; `types`: types
 //!   as it spells them; `st`: ladder bodies as statements, where no document holds them; `sfc`: charts
@@ -60,6 +61,7 @@ mod types;
 mod unused;
 mod values;
 mod ways;
+mod whole;
 mod xml;
 
 pub use adapt::adapt;
@@ -68,6 +70,7 @@ pub use export::{Exported, Lost, export, export_text};
 pub use imported::Imported;
 pub use outline::{Outline, Row, Unit, outline};
 pub use program::import;
+pub use whole::Whole;
 
 /// Whether a text is such a project, by its first words.
 pub fn is_project(text: &str) -> bool {
