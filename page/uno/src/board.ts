@@ -1,4 +1,4 @@
-// The simulated UNO: the chip through resets and power cuts, and what is connected to it. Its time is cycles, and goes on
+// A simulated board: the chip through resets and power cuts, and what is connected to it. Its time is cycles, and goes on
 // while there is no power; it knows no clock, no page and no worker.
 
 import { Agenda } from "./agenda";
@@ -6,8 +6,9 @@ import { Card, SILENCE } from "./card";
 import { type Around, Chip } from "./chip/chip";
 import { Eeprom } from "./chip/eeprom";
 import { Contacts } from "./contacts";
-import type { Analogue, Pins, ResetCause, SerialFormat } from "./messages";
+import type { Analogue, BoardId, Pins, ResetCause, SerialFormat } from "./messages";
 import { USUAL_FORMAT } from "./messages";
+import { WIRINGS, type Wiring } from "./wiring";
 import { Surroundings } from "./pins";
 import { type Setting, bitsOf, lengthOf, read, settingOf } from "./serial";
 
@@ -15,7 +16,7 @@ import { type Setting, bitsOf, lengthOf, read, settingOf } from "./serial";
 export interface Witness {
   /** A byte has come out of the serial port, as the page's end of the line reads it. */
   serial(byte: number): void;
-  /** An output changed its level, but for pulses: 1 to 4. */
+  /** An output changed its level, but for pulses: 1 is point 01. */
   output(output: number, high: boolean): void;
   reset(cause: ResetCause): void;
   power(on: boolean): void;
@@ -40,14 +41,18 @@ export class Board {
   /** The cycle while there is no chip to count them. */
   private idle = 0;
 
+  readonly wiring: Wiring;
+
   /** A board without power, with this program in its flash. A write to the EEPROM takes as long as on the chip. */
   constructor(
+    readonly id: BoardId,
     private readonly flash: Uint16Array,
     private readonly witness: Witness,
     eepromWriteCycles?: number,
   ) {
-    this.eeprom = new Eeprom(() => this.now, () => this.eepromWrites(), eepromWriteCycles);
-    this.surroundings = new Surroundings((output, high) => this.witness.output(output, high));
+    this.wiring = WIRINGS[id];
+    this.eeprom = new Eeprom(this.wiring.chip.eeprom, () => this.now, () => this.eepromWrites(), eepromWriteCycles);
+    this.surroundings = new Surroundings(this.wiring, (output, high) => this.witness.output(output, high));
     this.contacts = new Contacts(this.agenda, () => this.drive());
   }
 
@@ -93,7 +98,7 @@ export class Board {
     if (this.chip) this.begin("button", this.chip);
   }
 
-  /** Input 01 to 08: 1 to 8. */
+  /** Input 01: 1. */
   press(input: number, closed: boolean): void {
     this.contacts.press(input - 1, closed, this.now);
   }
@@ -107,7 +112,7 @@ export class Board {
     this.drive();
   }
 
-  /** Analogue input 00 to 04. */
+  /** Analogue input 00: 0. */
   setAnalogue(input: number, to: Analogue): void {
     this.surroundings.analogue[input] = to;
     this.drive();
@@ -175,14 +180,14 @@ export class Board {
 
   private begin(cause: ResetCause, before: Chip | null): void {
     this.witness.reset(cause);
-    this.chip = new Chip(this.flash, this.around(), cause, this.now, before);
+    this.chip = new Chip(this.wiring.chip, this.flash, this.around(), cause, this.now, before);
     this.portChanged();
   }
 
   private around(): Around {
     return {
       eeprom: this.eeprom,
-      millivolts: (pin) => (this.chip ? this.surroundings.millivolts(pin, this.chip) : 0),
+      millivolts: (channel) => (this.chip ? this.surroundings.millivolts(channel, this.chip) : 0),
       sent: (byte, setting) => this.witness.serial(read(byte, setting, this.line).byte),
       exchange: (byte, cycles) => {
         this.surroundings.clockCard(cycles);

@@ -4,9 +4,9 @@
 //! what was sent, where the program is (`page/uno/src/engine/main.ts` has the form of both). So a scan takes one answer.
 //! A write to the EEPROM takes 4 µs there, not 3.4 ms: keeping a program would take seconds of each start.
 
-use crate::chip::FLASH_LEN;
+use crate::chip::Chip;
 use crate::engine::{EngineError, Simulated};
-use crate::pins::PinRegisters;
+use crate::pins::Levels;
 use crate::{Error, Halt, Program, Pwm};
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
@@ -18,10 +18,6 @@ const EEPROM_WRITE: u32 = 64;
 const NOWHERE: u32 = u32::MAX;
 /// Bytes of a card's block.
 const BLOCK: usize = 512;
-/// Registers and RAM.
-const DATA_LEN: usize = 0x900;
-/// First address of the RAM.
-const RAM: u32 = 0x100;
 /// Register of timer 1's interrupts.
 const TIMSK1: u16 = 0x6F;
 
@@ -52,7 +48,7 @@ pub struct Avr8js {
     broken: Option<io::Error>,
     data: Vec<u8>,
     serial: Vec<u8>,
-    moved: u8,
+    moved: u32,
     cycles: u64,
 }
 
@@ -82,14 +78,18 @@ impl Avr8js {
             answers,
             program: program.clone(),
             broken: None,
-            data: vec![0; DATA_LEN],
+            data: vec![0; program.chip().ram_end() as usize + 1],
             serial: Vec::new(),
             moved: 0,
             cycles: 0,
         };
         let mut flash = program.flash.clone();
-        flash.resize(FLASH_LEN, 0xFF);
-        board.request(request::FIRMWARE, &[&flash]);
+        flash.resize(program.chip().flash_len(), 0xFF);
+        let kind = match program.chip() {
+            Chip::Atmega328p => 0,
+            Chip::Atmega2560 => 1,
+        };
+        board.request(request::FIRMWARE, &[&[kind], &flash]);
         Ok(board)
     }
 
@@ -160,7 +160,8 @@ impl Avr8js {
 
     /// How it ended, what was said, and where the program is.
     fn read_answer(&mut self) -> io::Result<(u8, Vec<u8>, u32)> {
-        let [how, moved] = self.read()?;
+        let [how] = self.read()?;
+        let moved = u32::from_le_bytes(self.read()?);
         let place = u32::from_le_bytes(self.read()?);
         let cycles = f64::from_le_bytes(self.read()?);
         let mut said = vec![0; u32::from_le_bytes(self.read()?) as usize];
@@ -233,7 +234,8 @@ impl Simulated for Avr8js {
 
     fn write_ram(&mut self, address: u32, bytes: &[u8]) -> Result<(), Error> {
         let (at, len) = (address as usize, bytes.len());
-        let cells = self.data.get_mut(at..at + len).filter(|_| address >= RAM);
+        let ram = self.program.chip().ram_start();
+        let cells = self.data.get_mut(at..at + len).filter(|_| address >= ram);
         let cells = cells.ok_or(Error::OutOfRange {
             memory: "RAM",
             address,
@@ -245,7 +247,7 @@ impl Simulated for Avr8js {
     }
 
     fn set_inputs(&mut self, closed: u32) {
-        self.request(request::INPUTS, &[&[closed as u8]]);
+        self.request(request::INPUTS, &[&closed.to_le_bytes()]);
     }
 
     fn set_reading(&mut self, index: usize, reading: u16) {
@@ -265,7 +267,7 @@ impl Simulated for Avr8js {
     }
 
     fn outputs(&self) -> u32 {
-        PinRegisters::of_data(&self.data).levels().outputs
+        Levels::of_data(self.program.chip(), &self.data).outputs
     }
 
     fn moved_output(&self) -> Option<u8> {
@@ -273,12 +275,13 @@ impl Simulated for Avr8js {
     }
 
     fn pwm(&self, index: usize) -> Option<Pwm> {
-        let pwm = match index {
-            0 => Pwm::of_timer_0(&self.data),
-            3 => Pwm::of_timer_1(&self.data),
+        let pwm = match (self.program.chip(), index) {
+            (Chip::Atmega2560, _) => Pwm::of_mega(&self.data, index),
+            (Chip::Atmega328p, 0) => Pwm::of_timer_0(&self.data),
+            (Chip::Atmega328p, 3) => Pwm::of_timer_1(&self.data),
             _ => None,
         };
-        let driven = PinRegisters::of_data(&self.data).levels().is_output;
+        let driven = Levels::of_data(self.program.chip(), &self.data).is_output;
         pwm.filter(|_| driven >> index & 1 == 1)
     }
 }

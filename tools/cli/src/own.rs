@@ -197,7 +197,7 @@ impl Found {
         };
         let machine = exercise.plant.as_ref().map(|path| {
             let (name, text) = beside(path)?;
-            plant(&folder.join(path), &text, *board)?;
+            plant(&folder.join(path), &text, exercise.board)?;
             Ok((name, text))
         });
         // Where a fault is to be found, the program is right and given; else it is the solution.

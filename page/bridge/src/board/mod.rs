@@ -152,6 +152,7 @@ impl Boards {
             Some(board) => {
                 desk.tell(News::Found {
                     identity: board.name.to_owned(),
+                    board: Some(board.id()),
                 });
                 With::Core(Box::new(Core::new(board)))
             }

@@ -1,4 +1,4 @@
-// What an opcode asks for: the instructions of the ATmega328P (AVR Instruction Set Manual, DS40002198), each by the bits
+// What an opcode asks for: the instructions of the ATmega328P and ATmega2560 (AVR Instruction Set Manual, DS40002198), each by the bits
 // that say so.
 
 /** The kinds of instructions. Those from LD_X on reach into the data space, those from ST_X on to write. */

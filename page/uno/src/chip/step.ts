@@ -17,8 +17,7 @@ import {
   widened,
 } from "./flags";
 import { KINDS, Kind, wordsOf } from "./opcodes";
-import { SP, Y, Z, addressOf, constant, near, other, pair, port, setPair, signed, upper, wide } from "./operands";
-import { RAM } from "./registers";
+import { SP, Y, Z, above, addressOf, constant, near, other, pair, port, setPair, signed, upper, wide } from "./operands";
 
 /** Cycles that are counted without a look at the clock: as many fit an integer. */
 const FAR = 1 << 29;
@@ -32,11 +31,13 @@ export interface Span {
 }
 
 /**
- * Executes instructions to the end of the span, or until one at this address, in words, is the next; at least one.
+ * Executes instructions of a chip whose RAM begins at `ram` to the end of the span, or until one at this address, in words, is the next; at least one.
  * While an interrupt waits, it executes one alone.
  */
-export function execute(cpu: CPU, span: Span, stop: number): void {
-  const { data, progMem, progBytes } = cpu;
+export function execute(cpu: CPU, span: Span, stop: number, ram: number): void {
+  const { data, progMem, progBytes, pc22Bits: far } = cpu;
+  // An address on the stack has two bytes, or three.
+  const pushed = far ? 3 : 2;
   // The flash is a power of two words long.
   const last = progMem.length - 1;
   const start = cpu.cycles;
@@ -55,7 +56,7 @@ export function execute(cpu: CPU, span: Span, stop: number): void {
       } else at = addressOf(data, kind, opcode);
       if (kind < Kind.ST_X) {
         if (kind !== Kind.IN) spent += 1;
-        if (at >= RAM) data[d] = data[at]!;
+        if (at >= ram) data[d] = data[at]!;
         else {
           cpu.cycles = start + spent;
           data[d] = cpu.readData(at);
@@ -63,7 +64,7 @@ export function execute(cpu: CPU, span: Span, stop: number): void {
           end = room(cpu, span, start);
         }
       } else {
-        if (at >= RAM) data[at] = data[d]!;
+        if (at >= ram) data[at] = data[d]!;
         else {
           cpu.cycles = start + spent;
           cpu.writeData(at, data[d]!);
@@ -257,30 +258,30 @@ export function execute(cpu: CPU, span: Span, stop: number): void {
           spent += 1;
           break;
         case Kind.JMP:
-          pc = progMem[(pc + 1) & last]! - 1;
+          pc = (above(opcode) | progMem[(pc + 1) & last]!) - 1;
           spent += 2;
           break;
         case Kind.RCALL:
-          push(data, pc + 1);
+          push(data, pc + 1, far);
           pc += near(opcode);
-          spent += 2;
+          spent += pushed;
           break;
         case Kind.ICALL:
-          push(data, pc + 1);
+          push(data, pc + 1, far);
           pc = pair(data, Z) - 1;
-          spent += 2;
+          spent += pushed;
           break;
         case Kind.CALL:
-          push(data, pc + 2);
-          pc = progMem[(pc + 1) & last]! - 1;
-          spent += 3;
+          push(data, pc + 2, far);
+          pc = (above(opcode) | progMem[(pc + 1) & last]!) - 1;
+          spent += pushed + 1;
           break;
         case Kind.RETI:
         case Kind.RET: {
-          const sp = pair(data, SP) + 2;
+          const sp = pair(data, SP) + pushed;
           setPair(data, SP, sp);
-          pc = ((data[sp - 1]! << 8) | data[sp]!) - 1;
-          spent += 3;
+          pc = (((far ? data[sp - 2]! : 0) << 16) | (data[sp - 1]! << 8) | data[sp]!) - 1;
+          spent += pushed + 1;
           if (kind === Kind.RETI) data[SREG] = data[SREG]! | I;
           break;
         }
@@ -384,9 +385,10 @@ function room(cpu: CPU, span: Span, start: number): number {
   return Math.min(span.until - start, span.due - start, FAR) | 0;
 }
 
-function push(data: Uint8Array, address: number): void {
+function push(data: Uint8Array, address: number, far: boolean): void {
   const sp = pair(data, SP);
   data[sp] = address;
   data[sp - 1] = address >> 8;
-  setPair(data, SP, sp - 2);
+  if (far) data[sp - 2] = address >> 16;
+  setPair(data, SP, sp - (far ? 3 : 2));
 }

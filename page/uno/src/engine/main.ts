@@ -3,19 +3,21 @@
 // obeyed in order. The page does not contain this.
 
 import { readSync, writeSync } from "node:fs";
+import { WIRINGS } from "../wiring";
 import { Bench } from "./bench";
 
 /** Requests: a byte, and what follows it. */
-const FIRMWARE = 0; // flash, 32,768 bytes
+const FIRMWARE = 0; // board u8: 0 UNO, 1 Mega; its flash
 const START = 1; // cycles of an EEPROM write u32, length of the card u32, blocks u32, then each: number u32, 512 bytes
 const POWER = 2;
 const WRITE = 3; // address u16, length u16, bytes
-const INPUTS = 4; // closed u8
+const INPUTS = 4; // closed u32
 const ANALOGUE = 5; // input u8, reading u16
 const SEND = 6; // length u16, bytes
 const RUN = 7; // byte address u32, NOWHERE for none; cycles u32
 
 const NOWHERE = 0xffff_ffff;
+const BOARDS = ["uno", "mega"] as const;
 
 /** Standard input, as much of it as one asks for. */
 class Input {
@@ -72,7 +74,8 @@ const bench = new Bench();
 for (let request = input.take(1); request; request = input.take(1)) {
   switch (request.getUint8(0)) {
     case FIRMWARE:
-      bench.flash = new Uint16Array(input.bytes(32 * 1024).buffer);
+      bench.board = BOARDS[input.number(1)] ?? "uno";
+      bench.flash = new Uint16Array(input.bytes(WIRINGS[bench.board].chip.flash).buffer);
       break;
     case START: {
       const writeCycles = input.number(4);
@@ -86,7 +89,7 @@ for (let request = input.take(1); request; request = input.take(1)) {
       bench.write(input.number(2), input.bytes(input.number(2)));
       break;
     case INPUTS:
-      bench.press(input.number(1));
+      bench.press(input.number(4));
       break;
     case ANALOGUE:
       bench.turn(input.number(1), input.number(2));

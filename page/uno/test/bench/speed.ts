@@ -25,7 +25,8 @@ import {
   usart0Config,
   watchdogConfig,
 } from "avr8js";
-import { CLOCK_HZ, RAM_LEN } from "../../src/chip/registers";
+import { ATMEGA328P } from "../../src/chip/model";
+import { CLOCK_HZ } from "../../src/chip/registers";
 import { firmware, runningBoard } from "../fixture";
 
 /** Cycles of a turn, and how many turns each has. */
@@ -34,7 +35,7 @@ const TURNS = 16;
 
 /** avr8js as it comes, with the same firmware and the same EEPROM. */
 function stock(eeprom: Uint8Array): (cycles: number) => void {
-  const cpu = new CPU(firmware(), RAM_LEN);
+  const cpu = new CPU(firmware(), ATMEGA328P.ramLen);
   cpu.data[0x54] = 1;
   for (const config of [portBConfig, portCConfig, portDConfig]) new AVRIOPort(cpu, config);
   for (const config of [timer0Config, timer1Config, timer2Config]) new AVRTimer(cpu, config);

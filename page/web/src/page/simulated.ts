@@ -1,9 +1,12 @@
 // The simulated board: its worker, what it keeps in the browser, and its clock.
 
-import type { Command, Event } from "unoclp-uno";
+import type { BoardId, Command, Event } from "unoclp-uno";
 import { type BoardWorker, SimulatedLine } from "../line/simulated";
 import type { Clock } from "./conversation";
 import { keepHere, keptHere } from "./place";
+
+/** Where a browser keeps what its EEPROM holds. */
+const EEPROM = { uno: "eeprom", mega: "eeprom-mega" } as const;
 
 export class SimulatedBoard implements Clock {
   readonly line: SimulatedLine;
@@ -15,6 +18,8 @@ export class SimulatedBoard implements Clock {
   private pace = 1;
   private latest = 0;
   hasPower = false;
+  /** Which board it is. */
+  id: BoardId = "uno";
 
   constructor(
     private readonly worker: BoardWorker,
@@ -46,10 +51,11 @@ export class SimulatedBoard implements Clock {
     if (this.factor() !== before) for (const hear of [...this.turned]) hear();
   }
 
-  /** Gives it firmware, what its EEPROM was, and power. */
-  start(bytes: Uint8Array): void {
-    this.tell({ kind: "firmware", bytes });
-    const eeprom = bytesOf(keptHere("eeprom"));
+  /** It is this board from now on, with its firmware, what its EEPROM was, and power. */
+  start(id: BoardId, bytes: Uint8Array): void {
+    this.id = id;
+    this.tell({ kind: "firmware", board: id, bytes });
+    const eeprom = bytesOf(keptHere(EEPROM[id]));
     if (eeprom) this.tell({ kind: "eeprom", bytes: eeprom });
     this.tell({ kind: "plug", on: true });
     this.tell({ kind: "run" });
@@ -81,7 +87,7 @@ export class SimulatedBoard implements Clock {
     if (event.kind === "paused") this.settle(event.at, false);
     else if ("at" in event) this.settle(event.at);
     // A browser that keeps nothing begins with an empty EEPROM.
-    if (event.kind === "eeprom") keepHere("eeprom", btoa(String.fromCharCode(...event.bytes)));
+    if (event.kind === "eeprom") keepHere(EEPROM[this.id], btoa(String.fromCharCode(...event.bytes)));
   }
 }
 

@@ -356,8 +356,8 @@ export interface Named {
 
 /** What a page is told. */
 export type News =
-  /** A board has answered. */
-  | { readonly news: "found"; readonly identity: string }
+  /** A board has answered; and which it is, as a request names it, where that is known. */
+  | { readonly news: "found"; readonly identity: string; readonly board: string | null }
   /** There is no board, or no longer one. It is sought on. */
   | { readonly news: "lost"; readonly why: Both }
   /** All that there is to show. */
@@ -521,6 +521,8 @@ export interface Sheet {
   readonly given: GivenProgram | null;
   /** The name of its machine's file, where it has one. */
   readonly plant: string | null;
+  /** The board that it is for, where it names one. */
+  readonly board: string | null;
   readonly title: Both;
   readonly task: Both | null;
   readonly hints: readonly Both[];
