@@ -4,7 +4,7 @@ use crate::meaning::Meaning;
 use crate::reader::Reader;
 use crate::{language, words};
 use std::collections::HashSet;
-use unoclp_lang::declarations::{Named, What};
+use unoclp_lang::outline::{Named, What};
 use unoclp_lang::typed::{Base, Role, Standard, functions};
 use unoclp_lang::{Colour, Lang, Span};
 use unoclp_program::Written;

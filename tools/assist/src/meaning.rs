@@ -2,7 +2,7 @@
 
 use crate::reader::Reader;
 use unoclp_lang::Colour;
-use unoclp_lang::declarations::What;
+use unoclp_lang::outline::What;
 use unoclp_lang::typed::{Base, Standard, functions, is_function};
 use unoclp_point::{Address, Maker, read};
 

@@ -4,9 +4,7 @@
 
 use crate::texts::{alike, all, text, written};
 use std::rc::Rc;
-use unoclp_assist::{
-    NoRename, complete, declaration, edited, hover, prepare, rename, symbols, uses,
-};
+use unoclp_assist::{Edit, NoRename, complete, declaration, edited, hover, prepare, symbols, uses};
 use unoclp_lang::Lang;
 use unoclp_program::Written;
 use unoclp_workspace::{All, Workspace};
@@ -16,6 +14,11 @@ fn marked(end: &str, with_mark: &str) -> (Written, u32) {
     let at = with_mark.find('|').expect("a mark");
     let whole = format!("{}{}", &with_mark[..at], &with_mark[at + 1..]);
     (text(end, &whole), at as u32)
+}
+
+/// What gives a name at a byte another.
+fn rename(written: &Written, byte: u32, name: &str) -> Result<Vec<Edit>, NoRename> {
+    unoclp_assist::rename(&Workspace::default().open(written.clone()), byte, name)
 }
 
 fn offers(end: &str, with_mark: &str) -> Vec<String> {

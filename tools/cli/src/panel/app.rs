@@ -13,14 +13,13 @@ use ratatui::text::Span;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use std::time::Duration;
-use unoclp_checked::SourceMap;
 use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
 use unoclp_exercise::live::Flow;
 use unoclp_exercise::wave::{Recorder, Sample};
 use unoclp_host_sim::engine::Machine;
 use unoclp_point::Address;
 use unoclp_program::used::Used;
-use unoclp_program::{Source, point_names};
+use unoclp_workspace::Ready;
 
 /// Virtual time from scan to scan.
 const SCAN: Duration = Duration::from_millis(1);
@@ -40,22 +39,13 @@ const MOST_BEHIND: Duration = Duration::from_millis(250);
 
 /// The simulator: a program that runs, and what a person does to it.
 pub struct App {
-    /// What the program is called.
-    pub(super) name: String,
+    program: Ready,
     machine: Machine,
-    /// What the program uses.
-    used: Used,
     pub(super) drawn: Drawn,
     /// The line that a fault names, in the text of the program.
     pub(super) fault_line: Option<usize>,
-    /// Where its steps are in its text.
-    map: SourceMap,
-    /// Its text, line by line.
-    text: Vec<String>,
     /// Its variables, if its language declares them.
     pub(super) variables: Variables,
-    /// What it calls its points.
-    pub(super) names: BTreeMap<String, String>,
     /// What the last scan did.
     pub(super) flow: Flow,
     pub(super) buttons: Buttons,
@@ -87,22 +77,19 @@ pub struct App {
 
 impl App {
     /// A simulator that runs this program from now on.
-    pub fn new(program: Source) -> App {
+    ///
+    /// # Errors
+    /// None that the program did not have before.
+    pub fn new(program: Ready) -> Result<App, Fault> {
         let drawn = Drawn::new(&program);
-        let names = point_names(&program);
         let places = Places::new(&program);
-        let machine = Machine::new(program.checked);
-        App {
-            name: program.name,
+        Ok(App {
+            machine: Machine::new(program.checked.copy()?),
             knobs: Knobs::new(program.size.used.analogue.iter().copied()),
-            used: program.size.used,
             fault: None,
             fault_line: None,
-            names,
             variables: Variables::new(&program.variables),
-            map: program.map,
-            text: program.text.lines().map(str::to_owned).collect(),
-            machine,
+            program,
             flow: Flow::default(),
             buttons: Buttons::new(KeyUp::Guessed),
             scans: 0,
@@ -119,7 +106,22 @@ impl App {
             quit: false,
             recorder: None,
             recorded: 0,
-        }
+        })
+    }
+
+    /// What the program is called.
+    pub(super) fn name(&self) -> &str {
+        &self.program.name
+    }
+
+    /// What it calls its points.
+    pub(super) fn names(&self) -> &BTreeMap<String, String> {
+        self.program.symbols()
+    }
+
+    /// What it uses.
+    fn used(&self) -> &Used {
+        &self.program.size.used
     }
 
     /// Records every scan from now on.
@@ -146,13 +148,15 @@ impl App {
     pub(super) fn faulty(&self) -> Option<[String; 2]> {
         let cause = messages::fault(self.fault?.cause);
         let line = self.fault_line.unwrap_or_default();
-        let text = line.checked_sub(1).and_then(|index| self.text.get(index));
+        let text = line
+            .checked_sub(1)
+            .and_then(|index| self.program.text.lines().nth(index));
         Some(match text {
             Some(text) => [
-                format!("{}:{line}: {cause}", self.name),
+                format!("{}:{line}: {cause}", self.name()),
                 text.trim().to_owned(),
             ],
-            None => [format!("{}: {cause}", self.name), String::new()],
+            None => [format!("{}: {cause}", self.name()), String::new()],
         })
     }
 
@@ -163,7 +167,7 @@ impl App {
 
     /// The inputs that have buttons, from 01 to this number: those from 05 on only where the program reads them.
     pub(super) fn inputs(&self) -> u8 {
-        match self.used.inputs.last() {
+        match self.used().inputs.last() {
             Some(&last) if last > FIRST_INPUTS => {
                 let buttons = last.max(MORE_INPUTS);
                 buttons.min(self.machine.plc().board().inputs)
@@ -174,7 +178,7 @@ impl App {
 
     /// The outputs that have lamps, from 01 to this number: those from 05 on only where the program names them.
     pub(super) fn outputs_shown(&self) -> u8 {
-        let last = self.used.outputs.last().max(self.used.pwm.last());
+        let last = self.used().outputs.last().max(self.used().pwm.last());
         let most = self.machine.plc().board().outputs;
         last.map_or(FIRST_OUTPUTS, |last| (*last).max(FIRST_OUTPUTS))
             .min(most)
@@ -185,12 +189,12 @@ impl App {
     pub(super) fn memory(&self) -> Vec<Vec<Span<'static>>> {
         let machine = &self.machine;
         let selected = self.knobs.selected().map(|input| format!("A{input}"));
-        let of_points = self.used.quantities(machine.plc(), &self.world());
+        let of_points = self.used().quantities(machine.plc(), &self.world());
         let of_points = of_points
             .iter()
             .filter(|of| !self.variables.any() || of.name.starts_with(['A', 'P']));
         let of_points = of_points.map(|of| {
-            let name = self.names.get(&of.name).unwrap_or(&of.name);
+            let name = self.names().get(&of.name).unwrap_or(&of.name);
             spans(name, of, selected.as_ref() == Some(&of.name))
         });
         of_points
@@ -262,7 +266,7 @@ impl App {
     /// Where the scan stands in slow motion, and the line of that in the text.
     pub(super) fn standing(&self) -> Option<(Standing, Option<usize>)> {
         let standing = self.slow.as_ref()?.standing();
-        let line = slow::line(&self.map, standing.step);
+        let line = slow::line(&self.program.map, standing.step);
         Some((standing, line))
     }
 
@@ -270,7 +274,7 @@ impl App {
     pub(super) fn breaks(&self) -> BTreeSet<usize> {
         let lines = self.breaks.iter();
         lines
-            .filter_map(|&step| slow::line(&self.map, step))
+            .filter_map(|&step| slow::line(&self.program.map, step))
             .collect()
     }
 
@@ -302,7 +306,7 @@ impl App {
             }
             Err(fault) => {
                 self.fault = Some(fault);
-                let place = fault.line.and_then(|line| self.map.of_code(line));
+                let place = fault.line.and_then(|line| self.program.map.of_code(line));
                 self.fault_line = place.map(|place| place.line);
                 self.running = false;
             }
@@ -320,7 +324,7 @@ impl App {
         if let Some(recorder) = &mut self.recorder {
             recorder.record(
                 self.recorded,
-                &Sample::of(&self.machine, &self.used, &inputs, now),
+                &Sample::of(&self.machine, &self.program.size.used, &inputs, now),
             )?;
             self.recorded += 1;
         }

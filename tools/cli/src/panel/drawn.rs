@@ -6,7 +6,7 @@ use crate::messages;
 use ratatui::text::Line;
 use unoclp_exercise::live::{Charts, Flow};
 use unoclp_point::Address;
-use unoclp_program::Source;
+use unoclp_workspace::Ready;
 
 /// The ways to look at a program.
 pub struct Drawn {
@@ -25,7 +25,7 @@ enum View {
 
 impl Drawn {
     /// Of this program. A chart is shown as one first, what was written as a text as that.
-    pub fn new(program: &Source) -> Drawn {
+    pub fn new(program: &Ready) -> Drawn {
         let charts = Charts::new(program);
         Drawn {
             rungs: Rungs::new(program),

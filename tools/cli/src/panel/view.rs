@@ -81,7 +81,7 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
     if watched.height() > 0 {
         draw_panel(messages::watched(), watched.lines(), frame, watched_area);
     }
-    page.draw(&timers, &app.names, frame, timer_area);
+    page.draw(&timers, app.names(), frame, timer_area);
     if memory.height() > 0 {
         let title = match app.variables.any() {
             true => messages::variables(),
@@ -138,7 +138,7 @@ fn draw_header(app: &App, frame: &mut Frame, area: Rect) {
     let width = u16::try_from(right.width()).unwrap_or(u16::MAX);
     let [left, right_area] =
         Layout::horizontal([Constraint::Fill(1), Constraint::Length(width)]).areas(area);
-    frame.render_widget(Line::raw(format!(" {}", app.name)).style(BAR), left);
+    frame.render_widget(Line::raw(format!(" {}", app.name())).style(BAR), left);
     frame.render_widget(right.style(BAR), right_area);
 }
 
@@ -166,7 +166,7 @@ fn output_lamps(app: &App) -> Lamps {
 }
 
 fn named_lamp(app: &App, point: String, on: bool) -> Lamp {
-    let name = app.names.get(&point).cloned();
+    let name = app.names().get(&point).cloned();
     let behind = if name.is_some() { " " } else { "  " };
     Lamp {
         name,

@@ -3,14 +3,14 @@
 use super::super::xml::escaped;
 use crate::comments::without;
 use std::fmt::Write as _;
-use unoclp_lang::outline::Outline;
+use unoclp_lang::parts::Parts;
 use unoclp_lang::typed::Base;
 
 /// Types stand no deeper within each other.
 const DEEPEST: usize = 40;
 
 /// The types that a text declares.
-pub(super) fn all(text: &str, parts: &Outline) -> String {
+pub(super) fn all(text: &str, parts: &Parts) -> String {
     if parts.types.is_empty() {
         return "    <dataTypes/>\n".to_owned();
     }

@@ -39,3 +39,29 @@ pub fn run(arguments: What) -> Outcome {
     }
     Ok(true)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+    use unoclp_checked::Work;
+
+    #[derive(Parser)]
+    struct Asked {
+        #[command(flatten)]
+        what: What,
+    }
+
+    #[test]
+    fn what_runs_was_compiled_once() {
+        let st = "PROGRAM p VAR a : INT; END_VAR a := a + 1; END_PROGRAM";
+        for (text, passes) in [("LD I1\nST Q1\n", 2), (st, 1)] {
+            let asked = Asked::parse_from(["run", "--scans", "3", "--text", text]);
+            let before = Work::done();
+            assert!(run(asked.what).unwrap());
+            let work = Work::since(before);
+            // The copy that runs is loaded for itself; a typed text runs as its tree.
+            assert_eq!((work.compiles, work.passes), (1, passes), "{text}");
+        }
+    }
+}

@@ -6,7 +6,7 @@ use super::{App, advance, press, screen, source};
 const LINES: &str = "LD I1\nST Q1\n(* the second *)\nLD I2\nANDN I3\nST Q2\n";
 
 fn app() -> App {
-    App::new(source("slow.il", LINES))
+    App::new(source("slow.il", LINES)).unwrap()
 }
 
 /// The title of the text, and its lines.
