@@ -637,7 +637,7 @@ fn a_screen_of_80_by_24_shows_a_program_and_its_values() {
     let source = source("tank.il", &format!("{head}{}", rung.repeat(5)));
     let register = source
         .symbols()
-        .into_iter()
+        .iter()
         .find_map(|(point, name)| (name == "level").then_some(point))
         .unwrap();
     let index: usize = register[1..].parse().unwrap();
