@@ -249,7 +249,7 @@ impl Boards {
         Ok(number)
     }
 
-    /// Goes on with the scan of the core; see [`Core::slowly`].
+    /// Goes on with the scan of the core; `Core::slowly` says how.
     ///
     /// # Errors
     /// Where there is no conversation with the core, or it runs no program.
