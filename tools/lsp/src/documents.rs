@@ -162,7 +162,7 @@ mod tests {
             let place = json!({
                 "textDocument": { "uri": "file:///a.st" },
                 "position": { "line": 4, "character": 2 },
-                "context": { "includeDeclaration": true, "diagnostics": [] },
+                "context": { "includeDeclaration": true, "diagnostics": [], "triggerKind": 1 },
                 "range": line,
                 "options": { "tabSize": 2, "insertSpaces": true },
             });
