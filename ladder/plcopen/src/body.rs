@@ -44,7 +44,13 @@ pub(crate) fn compile(
     imported.program = program.map(|(checked, map)| (checked, written.placed(xml, map)));
 }
 
-/// The text of a project, and the language that it is in. Functions and blocks that are drawn, or in a language that is not imported, count where
+/// The text of a project in Structured Text, as far as its bodies can be read.
+pub(crate) fn as_text(xml: &str, project: &Project<'_, '_>, found: &mut Found) -> String {
+    write(xml, project, TextLanguage::St, found).0.text
+}
+
+/// The text of a project, and the language that it is in. Functions and blocks that are drawn, or in a language that is not
+/// imported, count where
 /// something uses them.
 fn write(
     xml: &str,

@@ -109,6 +109,29 @@ END_PROGRAM
   await page.context().close();
 });
 
+test("where time stands, the lamps and the ladder show one instant", async () => {
+  const page = await lab.open();
+  await type(page, "LD I1\nST Q1\n", "lamp.il");
+  await run(page);
+  await page.locator('.ladder.live .element[data-point="Q1"]').waitFor();
+  const both = () => page.evaluate(() => [
+    document.querySelector('[data-output="1"]')?.getAttribute("data-on") === "true",
+    document.querySelector('.ladder .element[data-point="Q1"]')?.classList.contains("on"),
+  ]);
+  // So slow, a lamp turns seconds before the reading that tells of it.
+  await page.selectOption("#speed", "0.01");
+  await holding(page, 1, async () => {
+    await lamp(page, 1, true);
+    await page.selectOption("#speed", "0");
+    const [lit, drawn] = await both();
+    assert.equal(lit, drawn);
+    await page.selectOption("#speed", "1");
+    await page.locator('.ladder .element.on[data-point="Q1"]').waitFor();
+    assert.deepEqual(await both(), [true, true]);
+  });
+  await page.context().close();
+});
+
 test("in the timing diagram no effect comes before its cause, and a forced input is what it is forced to", async () => {
   const page = await lab.open();
   await type(page, "LD I1\nST M1\nLD M1\nST Q1\nLD I2\nTON T1, 300\nST Q2\n", "chain.il");

@@ -148,20 +148,26 @@ export class Session {
       // A step of its own, which undo takes back.
       const act: Act = { do: "text", ...text };
       const drawn = await this.tools.ask("edit", { act, ...this.shown });
-      this.take(act, drawn);
+      // A hand that has written on meanwhile is not undone.
+      this.take(act, drawn, text === program.text.value);
     } else await this.open(null, text);
   }
 
   /** Opens a drawing, or a text that was never drawn in. */
   private async open(kept: Drawing | null, text: Text): Promise<void> {
-    let drawing = kept ?? { name: text.name, base: text, log: [], text: text.text };
-    let drawn: Drawn;
+    const anew: Drawing = { name: text.name, base: text, log: [], text: text.text };
+    let drawing = kept ?? anew;
+    let drawn: Drawn | null = null;
     try {
       drawn = await this.tools.ask("draw", { base: drawing.base, log: drawing.log, ...this.shown });
     } catch (error) {
-      if (!(error instanceof Refusal) || drawing.log.length === 0) throw error;
+      if (!(error instanceof Refusal) || kept === null) throw error;
+    }
+    // A file may say of a drawing what it is not.
+    const isOther = drawn !== null && drawn.text !== null && drawn.text !== text.text && drawing.base.text !== text.text;
+    if (drawn === null || isOther) {
       // What was kept fits no longer; the text does.
-      drawing = { name: text.name, base: text, log: [], text: text.text };
+      drawing = anew;
       drawn = await this.tools.ask("draw", { base: text, log: [], ...this.shown });
     }
     // Nothing but its text is the program's.
@@ -170,8 +176,8 @@ export class Session {
     this.weigh(drawn);
   }
 
-  /** This was done, and this is how it is drawn then. */
-  private take(act: Act, drawn: Drawn): void {
+  /** This was done, and this is how it is drawn then; the program has its text, if it may. */
+  private take(act: Act, drawn: Drawn, mayWrite = true): void {
     const { drawing } = this;
     if (!drawing) return;
     const log = [...drawing.log];
@@ -181,7 +187,7 @@ export class Session {
     } else log.push(act);
     const text = drawn.text ?? (act.do === "text" ? act.text : drawing.text);
     this.keep({ ...drawing, log, text, lacks: lacks(drawn) });
-    if (text !== this.program.text.value.text) this.write({ name: drawing.name, text });
+    if (mayWrite && text !== this.program.text.value.text) this.write({ name: drawing.name, text });
     this.drawn.value = drawn;
     this.weigh(drawn);
   }
