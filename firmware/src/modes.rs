@@ -41,7 +41,7 @@ struct Work<'b> {
 /// ms.
 const SECOND: u16 = 1000;
 
-/// RUN, STOP and FAULT, for ever.
+/// RUN, STOP and FAULT, forever.
 // Apart from `main`, whose frame is there while a card is read.
 #[inline(never)]
 pub fn serve(

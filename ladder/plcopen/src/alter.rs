@@ -1,4 +1,4 @@
-//! A row of a table of variables, changed in the file; all else of the file stays as it is, to the byte.
+//! A row of a table of variables, changed in the file; everything else in the file stays the same, byte for byte.
 
 use crate::export::escaped;
 use crate::found::Found;
@@ -27,15 +27,7 @@ pub enum Change {
 pub fn alter(text: &str, unit: Option<&str>, variable: &str, change: &Change) -> Option<String> {
     let tree = xml::parse(text, &mut Found::default())?;
     let root = tree.root_element();
-    let sections: Vec<Node<'_, '_>> = match unit {
-        Some(unit) => {
-            let is_unit = |pou: &Node<'_, '_>| is_named(*pou, unit);
-            let pou = within(root, "pou").find(is_unit)?;
-            first(pou, "interface")?.children().collect()
-        }
-        None => within(root, "globalVars").collect(),
-    };
-    let mut rows = sections.into_iter().flat_map(declared);
+    let mut rows = sections(root, unit)?.into_iter().flat_map(declared);
     let node = rows.find(|row| is_named(row.node, variable))?.node;
     let (place, new) = edit(text, node, change)?;
     let mut changed = text.to_owned();
@@ -43,7 +35,22 @@ pub fn alter(text: &str, unit: Option<&str>, variable: &str, change: &Change) ->
     Some(changed)
 }
 
-fn is_named(node: Node<'_, '_>, name: &str) -> bool {
+/// The elements that declare the variables of a unit; of none, the global ones.
+pub(crate) fn sections<'a, 'x: 'a>(
+    root: Node<'a, 'x>,
+    unit: Option<&str>,
+) -> Option<Vec<Node<'a, 'x>>> {
+    Some(match unit {
+        Some(unit) => {
+            let pou = within(root, "pou").find(|pou| is_named(*pou, unit))?;
+            first(pou, "interface")?.children().collect()
+        }
+        None => within(root, "globalVars").collect(),
+    })
+}
+
+/// Whether an element has this name, in letters of either case.
+pub(crate) fn is_named(node: Node<'_, '_>, name: &str) -> bool {
     let own = node.attribute("name").unwrap_or_default();
     own.to_uppercase() == name.to_uppercase()
 }
@@ -54,10 +61,7 @@ fn edit(text: &str, node: Node<'_, '_>, change: &Change) -> Option<(Range<usize>
         Change::Name(name) => attribute(text, node, "name", Some(name)),
         Change::Place(place) => attribute(text, node, "address", place.as_deref()),
         Change::Kind(kind) => {
-            let kind = match is_elementary(kind) {
-                true => format!("<{}/>", kind.to_uppercase()),
-                false => format!("<derived name=\"{}\"/>", escaped(kind)),
-            };
+            let kind = kind_written(kind);
             element(text, node, "type", Some(&format!("<type>{kind}</type>")))
         }
         Change::First(value) => {
@@ -79,14 +83,22 @@ fn edit(text: &str, node: Node<'_, '_>, change: &Change) -> Option<(Range<usize>
     }
 }
 
-/// Whether a type is of the norm, and has an element of its name.
+/// The element of a type.
+pub(crate) fn kind_written(kind: &str) -> String {
+    match is_elementary(kind) {
+        true => format!("<{}/>", kind.to_uppercase()),
+        false => format!("<derived name=\"{}\"/>", escaped(kind)),
+    }
+}
+
+/// Whether a type is of the standard, and has an element of its name.
 fn is_elementary(kind: &str) -> bool {
     let kind = kind.to_uppercase();
     unoclp_lang::typed::Base::named(&kind).is_some() || matches!(&*kind, "STRING" | "WSTRING")
 }
 
 /// An attribute with another value, or without it.
-fn attribute(
+pub(crate) fn attribute(
     text: &str,
     node: Node<'_, '_>,
     name: &str,

@@ -7,7 +7,7 @@ use crate::sfc;
 use crate::st::{self, Units};
 use crate::text::Text;
 use crate::types::{Types, kind};
-use crate::xml::first;
+use crate::xml::{first, text};
 use std::collections::{HashSet, VecDeque};
 use unoclp_core::Board;
 use unoclp_lang::{Code, Span, TextLanguage, Word, compile_text};
@@ -42,6 +42,11 @@ pub(crate) fn compile(
     imported.code = code;
     let program = made.program;
     imported.program = program.map(|(checked, map)| (checked, written.placed(xml, map)));
+}
+
+/// The text of a project in Structured Text, as far as its bodies can be read.
+pub(crate) fn as_text(xml: &str, project: &Project<'_, '_>, found: &mut Found) -> String {
+    write(xml, project, TextLanguage::St, found).text
 }
 
 /// The text of a project. Functions and blocks that are drawn, or in a language that is not imported, count where
@@ -91,6 +96,21 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
                 });
                 None
             }
+            Some(("IL", body)) if own == "ST" => match sfc::statements(&text(body)) {
+                Ok(statements) => {
+                    let at = span(body);
+                    write_pou(&mut written, pou, &[], found, |to| {
+                        for statement in statements {
+                            to.piece(&format!("{statement};\n"), at);
+                        }
+                    });
+                    None
+                }
+                Err(_) => {
+                    refuse(pou, "IL", own, found);
+                    None
+                }
+            },
             other => {
                 refuse(pou, other.map_or("?", |(language, _)| language), own, found);
                 None

@@ -133,7 +133,7 @@ enum Way {
     Text(TextLanguage),
 }
 
-/// How a project is compiled; none where one of its programs cannot be, which is told.
+/// How a project is compiled; none where one of its programs cannot be, which is reported.
 fn way(project: &Project<'_, '_>, found: &mut Found) -> Option<Way> {
     let mut languages = Vec::new();
     for pou in &project.programs {

@@ -1,4 +1,4 @@
-//! A text that is made of pieces of a file, and where each of them stands there.
+//! A text that is made of pieces of a file, and the place of each of them in the file.
 
 use crate::found::span;
 use roxmltree::Node;
@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 use unoclp_checked::SourceMap;
 use unoclp_lang::{Diagnostic, Lines, Span, Trace};
 
-/// A text, and where its pieces stand in the XML.
+/// A text, and where its pieces are in the XML.
 #[derive(Default)]
 pub(crate) struct Text {
     pub text: String,
@@ -73,7 +73,7 @@ impl Text {
         self.text = plain;
     }
 
-    /// Where a byte of the text stands in the XML.
+    /// Where a byte of the text is in the XML.
     fn place(&self, byte: u32) -> (u32, bool, Span) {
         let behind = self.pieces.partition_point(|(first, ..)| *first <= byte);
         let piece = behind.checked_sub(1).and_then(|at| self.pieces.get(at));

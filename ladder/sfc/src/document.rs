@@ -3,6 +3,7 @@
 //! Owns that what nobody changes stays in the text as it was written, with its comments.
 
 use std::fmt::Write as _;
+use std::ops::Range;
 use unoclp_chart::Qualifier;
 use unoclp_lang::Span;
 use unoclp_lang::outline::{self, Unit, Written};
@@ -29,6 +30,17 @@ enum Part {
     Step(usize),
     Transition(usize),
     Action(usize),
+}
+
+/// Where the parts of a chart stand in its text, in bytes, by their numbers.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Places {
+    /// Its steps.
+    pub steps: Vec<Range<usize>>,
+    /// Its transitions.
+    pub transitions: Vec<Range<usize>>,
+    /// Its actions.
+    pub actions: Vec<Range<usize>>,
 }
 
 /// A step.
@@ -187,14 +199,43 @@ impl Document {
         let mut text = self.around.0.clone();
         for (part, before) in &self.order {
             text.push_str(before);
-            match *part {
-                Part::Step(number) => self.steps[number].write(&mut text),
-                Part::Transition(number) => self.transitions[number].write(&mut text),
-                Part::Action(number) => self.actions[number].write(&mut text),
-            }
+            self.write(*part, &mut text);
         }
         text.push_str(&self.around.1);
         text
+    }
+
+    /// Where its parts stand in its text.
+    pub fn places(&self) -> Places {
+        let nowhere = |parts: usize| vec![0..0; parts];
+        let mut places = Places {
+            steps: nowhere(self.steps.len()),
+            transitions: nowhere(self.transitions.len()),
+            actions: nowhere(self.actions.len()),
+        };
+        let mut text = self.around.0.clone();
+        for (part, before) in &self.order {
+            text.push_str(before);
+            let start = text.len();
+            self.write(*part, &mut text);
+            let place = match *part {
+                Part::Step(number) => places.steps.get_mut(number),
+                Part::Transition(number) => places.transitions.get_mut(number),
+                Part::Action(number) => places.actions.get_mut(number),
+            };
+            if let Some(place) = place {
+                *place = start..text.len();
+            }
+        }
+        places
+    }
+
+    fn write(&self, part: Part, to: &mut String) {
+        match part {
+            Part::Step(number) => self.steps[number].write(to),
+            Part::Transition(number) => self.transitions[number].write(to),
+            Part::Action(number) => self.actions[number].write(to),
+        }
     }
 
     /// The number of the step with this name.

@@ -31,7 +31,7 @@ mod picture;
 mod sheet;
 mod svg;
 
-pub use document::{Action, Document, Does, Step, Transition};
+pub use document::{Action, Document, Does, Places, Step, Transition};
 pub use live::{Live, State};
 pub use look::Look;
 pub use outline::{Branch, Fork, Outline, Part};

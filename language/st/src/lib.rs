@@ -73,7 +73,7 @@ pub fn vocabulary() -> Vec<&'static str> {
     keywords.chain(IN_CHARTS).collect()
 }
 
-/// Whether this is a keyword, or a type of the norm, in upper case.
+/// Whether this is a keyword, or a type of the standard, in upper case.
 pub fn is_word(word: &str) -> bool {
     Keyword::of(word) != Keyword::None
         || Base::named(word).is_some()

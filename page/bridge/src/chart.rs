@@ -4,8 +4,11 @@
 
 use crate::answer::answer;
 use crate::given::wrong;
+use crate::tell::Units;
 use crate::words::{No, both};
+use std::ops::Range;
 use unoclp_exercise::live::Charts;
+use unoclp_plcopen::{charts, is_project, write_chart};
 use unoclp_program::{Lang, list::Look};
 use unoclp_sfc::edit::{Operation, Refusal, Side};
 use unoclp_sfc::{Document, Id, Qualifier, Sheet, svg};
@@ -54,6 +57,8 @@ answer! {
         initial: bool,
         /// The numbers of the steps that a transition leaves.
         from: Vec<usize>,
+        /// Where it stands in the text, and where the statements of its action do: units of UTF-16, from and to.
+        places: Vec<[usize; 2]>,
     }
 }
 
@@ -83,7 +88,13 @@ pub fn charted(analysis: &Analysis, look: &str, act: Option<Act>) -> Result<Char
     } else {
         Look::Norm
     };
-    let mut documents = Document::all(&analysis.written().text());
+    let of = analysis.written().text();
+    let is_project = is_project(&of);
+    let all = |text: &str| match is_project {
+        true => charts(text),
+        false => Document::all(text),
+    };
+    let mut documents = all(&of);
     let (mut text, mut select) = (None, None);
     if let Some(act) = act {
         let chart = documents
@@ -91,8 +102,11 @@ pub fn charted(analysis: &Analysis, look: &str, act: Option<Act>) -> Result<Char
             .ok_or_else(|| wrong("chart"))?;
         let done = chart.after(&operation(&act)?);
         let (after, id) = done.map_err(|why| both(|lang| refused(lang, why)))?;
-        let after = after.text();
-        documents = Document::all(&after);
+        let after = match is_project {
+            true => write_chart(&of, &after).ok_or_else(|| both(drawn_parts))?,
+            false => after.text(),
+        };
+        documents = all(&after);
         (text, select) = (Some(after), Some(id.to_string()));
     }
     // What has just been changed is compiled when the page has its text.
@@ -102,7 +116,7 @@ pub fn charted(analysis: &Analysis, look: &str, act: Option<Act>) -> Result<Char
     };
     let charts = documents
         .iter()
-        .map(|document| drawn(document, look, &live));
+        .map(|document| drawn(document, look, &live, is_project));
     Ok(Charted {
         charts: charts.collect(),
         text,
@@ -110,7 +124,7 @@ pub fn charted(analysis: &Analysis, look: &str, act: Option<Act>) -> Result<Char
     })
 }
 
-fn drawn(document: &Document, look: Look, live: &Charts) -> ChartDrawn {
+fn drawn(document: &Document, look: Look, live: &Charts, is_project: bool) -> ChartDrawn {
     let sheet = Sheet::drawn(document, look);
     let of_unit = |chart: &&unoclp_exercise::live::Chart| chart.document.unit == document.unit;
     let points = live.all().iter().find(of_unit).map_or(Vec::new(), |chart| {
@@ -120,16 +134,45 @@ fn drawn(document: &Document, look: Look, live: &Charts) -> ChartDrawn {
             .map(|points| points.map(|point| point.map(name)))
             .collect()
     });
+    let text = document.text();
+    let places = document.places();
+    // Each kind stands in its order.
+    let [steps, transitions, actions] =
+        [places.steps, places.transitions, places.actions].map(|all| in_units(&text, &all));
+    let placed = |id| match id {
+        Id::Step(step) => (steps.get(step), None),
+        Id::Does(step, nth) => {
+            let does = document.steps.get(step).and_then(|of| of.does.get(nth));
+            let action = does.and_then(|does| document.action(&does.action));
+            (
+                steps.get(step),
+                action.and_then(|action| actions.get(action)),
+            )
+        }
+        Id::Transition(of) | Id::Jump(of, _) | Id::Wait(of, _) => (transitions.get(of), None),
+    };
     let parts = sheet.items.iter().map(|item| {
-        let (x, y) = item.middle();
-        part(document, item.id, (x, y))
+        let mut part = part(document, item.id, item.middle());
+        let (own, action) = placed(item.id);
+        // A project has its charts in another form.
+        let places = own.into_iter().chain(action).filter(|_| !is_project);
+        part.places = places.copied().collect();
+        part
     });
+    let parts = parts.collect();
     ChartDrawn {
         unit: document.unit.clone(),
         svg: svg(document, &sheet, None, &document.unit, true),
-        parts: parts.collect(),
+        parts,
         points,
     }
+}
+
+/// Places in units of UTF-16.
+fn in_units(text: &str, places: &[Range<usize>]) -> Vec<[usize; 2]> {
+    let mut units = Units::new(text);
+    let of = |place: &Range<usize>| [units.of(place.start), units.of(place.end)];
+    places.iter().map(of).collect()
 }
 
 fn part(document: &Document, id: Id, (x, y): (f32, f32)) -> ChartPart {
@@ -145,6 +188,7 @@ fn part(document: &Document, id: Id, (x, y): (f32, f32)) -> ChartPart {
         priority: String::new(),
         initial: false,
         from: Vec::new(),
+        places: Vec::new(),
     };
     match id {
         Id::Step(step) => {
@@ -229,6 +273,7 @@ impl Act {
 }
 
 unoclp_words::messages! {
+    drawn_parts() "this chart has drawn conditions or actions; change it in the program that drew it" "este SFC tem condições ou ações desenhadas; mude-o no programa que o desenhou";
     not_there() "the selected element no longer exists" "o elemento selecionado já não existe";
     select_step() "select a step first; the initial step has nothing beside it" "selecione antes uma etapa; a etapa inicial não tem outra ao lado";
     select_transition() "select a transition first" "selecione antes uma transição";

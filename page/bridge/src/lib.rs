@@ -54,7 +54,11 @@ mod machine;
 mod more;
 mod program;
 #[cfg(feature = "full")]
+mod project;
+#[cfg(feature = "full")]
 mod replay;
+#[cfg(feature = "full")]
+mod slow;
 #[cfg(any(test, not(feature = "full")))]
 mod start;
 mod tell;

@@ -7,7 +7,7 @@ use crate::edit::{Act, Drawing};
 use crate::machine::{self, Machine};
 use crate::program::{known, source};
 use crate::words::{self, No, both};
-use crate::{assist, card, chart, draw, exercise, replay};
+use crate::{assist, card, chart, draw, exercise, project, replay};
 use unoclp_program::Written;
 use unoclp_workspace::Workspace;
 
@@ -21,6 +21,10 @@ const LONGEST_TRACE: u32 = 600_000;
 pub fn answer(ask: More, boards: &mut Boards) -> Result<Answer, No> {
     let workspace = &mut boards.workspace;
     Ok(match ask {
+        More::Slow { version, left } => Answer::Slow(boards.stood(version, &left.0)?),
+        More::Slowly { board, to, through } => {
+            Answer::Slowly(boards.slowly(board, to.0.as_deref(), through)?)
+        }
         More::List {
             version,
             form,
@@ -214,6 +218,22 @@ pub fn answer(ask: More, boards: &mut Boards) -> Result<Answer, No> {
             let text = known(version, workspace)?;
             let charted = chart::charted(&text, look.as_deref().unwrap_or_default(), act)?;
             Answer::Chart(Box::new(charted))
+        }
+        More::Project { version } => {
+            Answer::Project(Box::new(project::project(&*known(version, workspace)?)?))
+        }
+        More::Unit { version, unit } => {
+            Answer::Unit(project::unit(&*known(version, workspace)?, &unit))
+        }
+        More::Alter {
+            version,
+            unit,
+            what,
+            at,
+            to,
+        } => {
+            let text = known(version, workspace)?;
+            Answer::Alter(project::altered(&text, unit.as_deref(), (&what, &at), &to)?)
         }
         More::Find { words } => Answer::Find(drawing(boards)?.0.find(&words)),
         More::Complete { version, at, speak } => {

@@ -302,7 +302,7 @@ impl Offers<'_, '_> {
     }
 
     fn standard(&mut self) {
-        // Only Structured Text calls functions of the norm by their names; other languages that have some say so themselves.
+        // Only Structured Text calls functions of the standard by their names; other languages that have some say so themselves.
         if !self.reader.language.vocabulary().contains(&"FUNCTION") {
             return;
         }

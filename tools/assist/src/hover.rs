@@ -227,7 +227,7 @@ impl Told<'_, '_> {
     }
 }
 
-/// A block of the norm with its pins.
+/// A block of the standard with its pins.
 fn shape(block: Standard) -> String {
     let part = |wanted: Role| {
         let parts = block.parts().iter().filter(|part| part.2 == wanted);

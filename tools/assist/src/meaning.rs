@@ -11,11 +11,11 @@ use unoclp_point::{Address, Maker, read};
 pub(crate) enum Meaning {
     /// What the text declares, by its place in the outline.
     Declared(usize),
-    /// An input or output of a block of the norm.
+    /// An input or output of a block of the standard.
     Pin(Standard, &'static str),
     /// A parameter of a standard function.
     Parameter(&'static str, &'static str),
-    /// A block of the norm.
+    /// A block of the standard.
     Standard(Standard),
     /// A standard function, by its name in capitals.
     Function(String),
@@ -131,7 +131,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The type of what has one: a block of the norm, one of the text, a type of the text, an elementary type.
+    /// The type of what has one: a block of the standard, one of the text, a type of the text, an elementary type.
     pub fn type_of(&self, of: &Meaning) -> Option<Meaning> {
         let named = match of {
             Meaning::Standard(_) | Meaning::Base(_) => return Some(of.clone()),
@@ -244,7 +244,7 @@ fn parameter(function: &str, name: &str) -> Option<Meaning> {
     Some(Meaning::Parameter(function, parameter))
 }
 
-/// A point as a text of the norm writes it.
+/// A point as a text of the standard writes it.
 pub(crate) fn point(written: &str) -> Option<Address> {
     let plain: String = written.chars().filter(|c| !c.is_whitespace()).collect();
     read(&plain.to_ascii_uppercase(), Maker::Iec)?.address

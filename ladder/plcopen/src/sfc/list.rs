@@ -1,9 +1,9 @@
 //! Lines of Instruction List as expressions and statements: loads, operations, comparisons and stores, without jumps and
 //! calls.
 
-/// The most lines of a body.
 use crate::comments::without;
 
+/// The most lines of a body.
 const MOST: usize = 2_000;
 
 /// What is in the accumulator, and what has been put aside by `(`.
@@ -11,6 +11,8 @@ struct Machine {
     now: String,
     aside: Vec<(String, &'static str, bool)>,
     statements: Vec<String>,
+    /// Whether what is in the accumulator would now be another value: a statement has changed a variable of it.
+    stale: bool,
 }
 
 /// The expression that a list leaves in the accumulator.
@@ -30,7 +32,7 @@ pub(super) fn expression(text: &str) -> Result<String, String> {
 ///
 /// # Errors
 /// The word that no statement has.
-pub(super) fn statements(text: &str) -> Result<Vec<String>, String> {
+pub(crate) fn statements(text: &str) -> Result<Vec<String>, String> {
     Ok(run(text)?.statements)
 }
 
@@ -63,6 +65,7 @@ fn run(text: &str) -> Result<Machine, String> {
         now: String::new(),
         aside: Vec::new(),
         statements: Vec::new(),
+        stale: false,
     };
     let mut lines = 0;
     for line in without(text).lines() {
@@ -90,6 +93,10 @@ fn run(text: &str) -> Result<Machine, String> {
 
 impl Machine {
     fn line(&mut self, word: &str, operand: &str) -> Option<()> {
+        if self.stale && !matches!(word, "LD" | "LDN") {
+            return None;
+        }
+        self.stale = false;
         if let Some((operator, inverts)) = operator(word) {
             if let Some(first) = operand.strip_prefix('(') {
                 let before = std::mem::take(&mut self.now);
@@ -111,10 +118,14 @@ impl Machine {
             (_, operand) if operand.starts_with('(') => return None,
             ("LD", operand) => self.now = operand.to_owned(),
             ("LDN", operand) => self.now = format!("NOT {operand}"),
-            ("ST", operand) => self.statements.push(format!("{operand} := {}", self.now)),
-            ("STN", operand) => self
-                .statements
-                .push(format!("{operand} := NOT ({})", self.now)),
+            ("ST", operand) => {
+                let now = std::mem::replace(&mut self.now, operand.to_owned());
+                self.statements.push(format!("{operand} := {now}"));
+            }
+            ("STN", operand) => {
+                let does = format!("{operand} := NOT ({})", self.now);
+                self.does(operand, does);
+            }
             ("S", operand) => self.when(operand, "TRUE"),
             ("R", operand) => self.when(operand, "FALSE"),
             _ => return None,
@@ -129,6 +140,14 @@ impl Machine {
 
     fn when(&mut self, operand: &str, value: &str) {
         let does = format!("IF {} THEN {operand} := {value}; END_IF", self.now);
-        self.statements.push(does);
+        self.does(operand, does);
+    }
+
+    /// A statement that changes this variable.
+    fn does(&mut self, operand: &str, statement: String) {
+        let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '%');
+        let mut words = self.now.split(|c| !is_word(c));
+        self.stale = words.any(|word| word.eq_ignore_ascii_case(operand));
+        self.statements.push(statement);
     }
 }

@@ -153,7 +153,7 @@ struct Body<'b, 'a, 'x> {
     labels: Vec<usize>,
     /// The variables that say where to jump, by the names of the labels.
     jumps: HashMap<&'a str, String>,
-    /// Of a diagram: the functions whose results stand in variables.
+    /// Of a diagram: the functions whose results are in variables.
     kept: Vec<bool>,
     /// Of a diagram: what ENO of a block says.
     enos: HashMap<usize, Eno>,
@@ -189,7 +189,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
     }
 
-    /// Writes what an element does at which power ends; none where something is wrong, which is told.
+    /// Writes what an element does at which power ends; none, with a message, where something is wrong.
     fn sink(&mut self, at: usize) -> Option<()> {
         let network = self.network;
         let element = &network.elements[at];

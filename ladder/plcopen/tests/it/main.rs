@@ -3,6 +3,7 @@
 mod adapted;
 mod alike;
 mod any_text;
+mod bodies;
 mod cases;
 mod charts;
 mod diagrams;

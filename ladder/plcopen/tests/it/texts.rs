@@ -133,11 +133,11 @@ fn messages_name_the_rung_and_the_element() {
         [
             [
                 "`Main`, rung 2, block `lamp` (TON): nothing leads to PT",
-                "`Main`, linha 2, bloco `lamp` (TON): nada chega a PT"
+                "`Main`, degrau 2, bloco `lamp` (TON): nada chega a PT"
             ],
             [
                 "`Main`, rung 3, block `DELAY`: the block `DELAY` cannot be imported",
-                "`Main`, linha 3, bloco `DELAY`: o bloco `DELAY` não pode ser importado"
+                "`Main`, degrau 3, bloco `DELAY`: o bloco `DELAY` não pode ser importado"
             ],
         ]
     );

@@ -25,6 +25,25 @@ fn document(text: &str) -> Document {
     Document::all(text).remove(0)
 }
 
+#[test]
+fn each_part_stands_where_it_is_written() {
+    let chart = document(FILLING);
+    let places = chart.places();
+    assert_eq!(
+        &FILLING[places.steps[1].clone()],
+        "STEP Fill: q(N); (* the valve *) END_STEP"
+    );
+    assert!(FILLING[places.transitions[1].clone()].starts_with("TRANSITION FROM Fill TO Wait"));
+    let after = chart.after(&Operation::Act(Id::Step(0))).unwrap().0;
+    let text = after.text();
+    let places = after.places();
+    assert_eq!(
+        &text[places.steps[0].clone()],
+        "INITIAL_STEP Wait: A1(N); END_STEP"
+    );
+    assert!(text[places.actions[0].clone()].starts_with("ACTION A1:"));
+}
+
 /// The text after operations.
 fn after(text: &str, operations: &[Operation]) -> String {
     let mut document = document(text);

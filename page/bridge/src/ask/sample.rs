@@ -16,6 +16,7 @@ const MOTOR: &str = include_str!("../../../../programs/plants/motor.toml");
 const FIND: &str = include_str!("../../../../programs/exercises/find/01-motor.toml");
 const EXERCISE: &str = include_str!("../../../../programs/exercises/01-contacts.toml");
 const CHART: &str = include_str!("../../../../programs/charts/filling.st");
+const PROJECT: &str = include_str!("../../../web/test/page/plc.xml");
 const HEX: &str = include_str!("../../../../firmware/unoclp-uno.hex");
 
 /// A page that asks.
@@ -86,6 +87,14 @@ impl Page {
             "step" | "order" | "lose" | "close" => {
                 self.board = self.ok(&json!({ "ask": "open", "core": true, "reset": false }));
             }
+            "slowly" => {
+                self.board = self.ok(&json!({ "ask": "open", "core": true, "reset": false }));
+                let text = json!({ "ask": "text", "name": "a.il", "text": "LD I1\nST Q1\n" });
+                let version = self.ok(&text);
+                let order = json!({ "do": "upload", "version": version });
+                self.ok(&json!({ "ask": "order", "board": self.board, "order": order }));
+                self.ok(&json!({ "ask": "step", "board": self.board, "now": 0, "came": [] }));
+            }
             "machine" => {}
             _ if ask.starts_with("machine") => {
                 self.ok(
@@ -98,7 +107,7 @@ impl Page {
 
     /// What may stand there; none where it is left out.
     fn value(&mut self, ask: &str, key: &str, of: &str) -> Option<Value> {
-        if of.ends_with('?') && self.random.below(2) == 0 {
+        if of.ends_with('?') && ask != "alter" && self.random.below(2) == 0 {
             return None;
         }
         let program = self.program();
@@ -121,12 +130,20 @@ impl Page {
                 let text = json!({ "ask": "text", "name": "c.st", "text": CHART });
                 self.ok(&text)
             }
+            ("project" | "unit" | "alter", "version") => {
+                let text = json!({ "ask": "text", "name": "plc.xml", "text": PROJECT });
+                self.ok(&text)
+            }
+            ("unit" | "alter", "unit") => json!("Main"),
+            ("alter", "what") => self.any(&["name", "kind", "place", "comment"].map(Value::from)),
+            ("alter", "at") => json!("start"),
             (_, "version") => {
                 let text = json!({ "ask": "text", "name": program.0, "text": program.1 });
                 self.ok(&text)
             }
             ("step" | "order" | "lose" | "close", "board") => self.board.clone(),
             ("board", "board") => self.any(&[json!("uno"), json!("nano"), json!("pc")]),
+            ("slowly", "board") => self.board.clone(),
             (_, "board") => self.any(&[json!("uno"), json!("nano")]),
             (_, "base") => json!({ "name": "a.il", "text": "LD I1\nST Q1\n" }),
             (_, "log") => json!([{ "do": "insert", "what": "contact", "place": "behind" }]),
@@ -147,6 +164,8 @@ impl Page {
                 self.now += 20;
                 json!(self.now)
             }
+            ("slowly", "to") => self.any(&[json!([0, 2]), Value::Null]),
+            (_, "left") => json!([[0, 1, true, 7, 3], [2, 2, false, null, null]]),
             (_, "came") => json!([]),
             (_, "address") => json!(1 + self.random.below(247)),
             (_, "rate") => json!(115_200),

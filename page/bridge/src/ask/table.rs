@@ -1,12 +1,14 @@
 //! The asks.
 
 #[cfg(feature = "full")]
-use super::field::{Blocks, Log, Text};
+use super::field::{Blocks, Log, Steps, Text, Trail};
 use super::{Below, Columns, asks};
 #[cfg(feature = "full")]
 use crate::adapt::Adapted;
 #[cfg(feature = "full")]
 use crate::assist::{Change, Meant, Mended, Offers, UsedAt};
+#[cfg(feature = "full")]
+use crate::board::Live;
 use crate::board::Step;
 #[cfg(feature = "full")]
 use crate::card::Card;
@@ -24,7 +26,11 @@ use crate::facts::Facts;
 use crate::machine::{Known, Look, Searched};
 use crate::program::Checked;
 #[cfg(feature = "full")]
+use crate::project::{Project, UnitShown};
+#[cfg(feature = "full")]
 use crate::replay::Replay;
+#[cfg(feature = "full")]
+use crate::slow::Stood;
 use unoclp_core::Board;
 #[cfg(feature = "full")]
 use unoclp_edit::Shelf;
@@ -59,7 +65,7 @@ asks! {
 }
 
 /// What takes the module that has everything.
-pub const MORE: [&str; 32] = [
+pub const MORE: [&str; 37] = [
     "list",
     "adapt",
     "pages",
@@ -92,6 +98,11 @@ pub const MORE: [&str; 32] = [
     "form",
     "remedies",
     "chart",
+    "slow",
+    "slowly",
+    "project",
+    "unit",
+    "alter",
 ];
 
 #[cfg(feature = "full")]
@@ -178,4 +189,17 @@ asks! {
         version: Version, look: Option<String>, chart: u32, what: Option<String>, at: Option<String>, say: Option<String>,
         qualifier: Option<String>, time: Option<String>
     } -> Box<Charted>;
+    /// What there is to show of it while a board stands in the middle of a scan, which has left this so far.
+    Slow "slow" { version: Version, left: Trail } -> Live;
+    /// The scan that this computer makes goes on, to where one of these instructions comes next, or any; `through` the ends of scans,
+    /// or else to the end of this one. Null where it has not come there yet.
+    Slowly "slowly" { board: u32, to: Steps, through: bool } -> Option<Stood>;
+    /// The units of a project, and their variables.
+    Project "project" { version: Version } -> Box<Project>;
+    /// The body of a unit of a project; null where it has none.
+    Unit "unit" { version: Version, unit: String } -> Option<UnitShown>;
+    /// A project in which something is another: of a variable of a unit, or a global one, `name`, `kind`, `first`, `place`,
+    /// `comment`, `retained`, or all of it by `add` and `remove`; of an element of a drawn body `written`, `negated`, `edge`,
+    /// `storage`; the `body` of a unit in text.
+    Alter "alter" { version: Version, unit: Option<String>, what: String, at: String, to: String } -> String;
 }

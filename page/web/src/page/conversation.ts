@@ -1,8 +1,9 @@
 // A conversation with a board: Rust says what is sent and when; here are the line and the clock.
 
 import type { SerialFormat } from "unoclp-uno";
+import type { Go } from "unoclp-uno/slow";
 import type { Line, Listener } from "../line/line";
-import type { Ask, News, Order } from "../tools/answers";
+import type { Ask, News, Order, Stood } from "../tools/answers";
 import type { Asks } from "../tools/asks";
 import { Died, type Tools } from "../tools/tools";
 import { formatOf } from "./ways";
@@ -95,6 +96,11 @@ export class Conversation {
     this.leave();
     [this.tools, this.board, this.came] = [tools, board, []];
     this.step();
+  }
+
+  /** Goes on with the scan that this computer makes; null where it has not come to a stop yet. */
+  slowly(go: Go): Stood | null {
+    return this.tools.ask("slowly", { board: this.board, ...go });
   }
 
   async close(): Promise<void> {

@@ -177,6 +177,8 @@ export class Exercises {
     const exercise = this.all[this.at];
     this.handIn.minutes.turn(exercise?.name ?? null);
     this.closed(exercise?.sheet.normallyClosed ?? []);
+    // One whose points are another board's brings it.
+    if (exercise?.sheet.board) this.program.board.value = exercise.sheet.board;
     const machine = exercise && this.machineOf(exercise);
     this.find.begin();
     if (exercise && machine) {

@@ -7,8 +7,9 @@ import { asked } from "./asked";
 import type { Bench } from "./bench";
 import type { CardSlot } from "./cardslot";
 import type { ProgramDocument } from "./document";
-import { h } from "./dom";
+import { byId, h } from "./dom";
 import { download, pick } from "./files";
+import { later } from "./later";
 import { looks } from "./look";
 import { type Row, elementsOf, entry, menu } from "./menu";
 import { note } from "./notes";
@@ -22,6 +23,8 @@ import { tongue } from "./tongue";
 const SVG = "image/svg+xml";
 /** Programs of before that the menu has. */
 const KEPT = 6;
+/** The chart with which one begins. */
+const newChart = later(async () => (await import("./sfc/new.st")).default);
 
 interface Parts {
   readonly program: ProgramDocument;
@@ -38,6 +41,8 @@ interface Parts {
   /** Opens the program of a place, or shows all of them. */
   goTo(id: string): void;
   showPrograms(): void;
+  /** Goes through a scan in slow motion. */
+  slow(): void;
   /** Shows a card beside the board, or takes it away. */
   turnCard(card: "hardware" | "faults"): void;
   /** Reads the program of the board. */
@@ -68,7 +73,8 @@ export function menus(root: HTMLElement, parts: Parts): void {
     { id: "open-settings", say: "tabSettings", act: () => tabs.open("settings") },
     { id: "open-card-tab", say: "tabCard", act: () => tabs.open("card") },
     { id: "open-serial", say: "tabSerial", act: () => tabs.open("serial") },
-    "line", ...parts.time, "line",
+    "line", ...parts.time,
+    { id: "slow-motion", say: "slow", act: () => parts.slow() }, "line",
     { id: "show-hardware", say: "simulated", act: () => parts.turnCard("hardware") },
     { id: "show-faults", say: "faults", act: () => parts.turnCard("faults") },
   ];
@@ -106,6 +112,15 @@ function files({ program, open, take, slot, remote, goTo, showPrograms }: Parts)
         write();
       },
     },
+    {
+      id: "new-chart",
+      say: "newChart",
+      act: () => void newChart().then((text) => {
+        if (text === null) return;
+        open({ name: "chart.st", text });
+        byId("view-draw").click();
+      }),
+    },
     { id: "open-file", say: "openFile", act: () => pick((files) => void take(files)) },
     { id: "save-file", say: "saveFile", act: () => save(program) },
     { id: "programs", say: "programs", act: showPrograms },
@@ -121,6 +136,7 @@ function files({ program, open, take, slot, remote, goTo, showPrograms }: Parts)
         pages.forEach((page, at) => download(`${stem}-${at + 1}.svg`, page, SVG));
       }),
     },
+    { id: "make-project", say: "makeProject", when: () => code !== undefined && !text.name.endsWith(".xml"), act: () => void asked(remote.ask("list", { ...shown, as: "xml" }), (xml) => open({ name: `${stem}.xml`, text: xml })) },
     { id: "save-project", say: "saveProject", when, act: () => void asked(remote.ask("list", { ...shown, as: "xml" }), (xml) => download(`${stem}.xml`, xml, "application/xml")) },
     {
       id: "save-card",

@@ -19,9 +19,12 @@ import { blocks } from "./look";
 import { note } from "./notes";
 import { pointsOf } from "./points";
 import { countOf, showProblems } from "./problems";
+import type { Beside } from "./project/beside";
 
 const VIEWS = ["draw", "both", "text"] as const;
 const TITLES = { draw: "viewDraw", both: "viewBoth", text: "viewText" } as const;
+/** Only a text with one of these has a chart, or is a project. */
+const BESIDE = /\bINITIAL_STEP\b|plcopen\.org\/xml/i;
 
 export class ProgramView {
   private readonly ladder: LadderView;
@@ -30,6 +33,8 @@ export class ProgramView {
   private readonly size = h("span", { class: "chip" });
   /** The screen on which one draws, as soon as somebody has wanted it. */
   private screen: (() => Promise<Screen | null>) | null = null;
+  /** Its chart, or its units, as soon as a program has had any. */
+  private beside: (() => Promise<Beside | null>) | null = null;
   /** Of a text whose ladder is a compiler's code none is shown unless somebody asks for it: said here. */
   private readonly bytes = h("p", { class: "empty", id: "ladder-bytes", hidden: true }, h("span", { "data-say": "ladderBytes" }), " ",
     h("button", { type: "button", id: "ladder-anyway", "data-say": "ladderAnyway", click: () => {
@@ -92,8 +97,8 @@ export class ProgramView {
       keep("view", view);
       buttons.forEach((button, index) => button.setAttribute("aria-pressed", String(VIEWS[index] === view)));
       this.ladderNow();
-      byId("draw-tools").hidden = view !== "draw";
-      if (view === "draw" || this.screen) void this.drawing().then((screen) => screen?.show(root.dataset["view"] === "draw"));
+      this.screened();
+      void this.charted();
     };
     // What 0.2.0 called the ladder is the drawing now.
     show(VIEWS.find((view) => view === kept("view")) ?? "draw");
@@ -106,20 +111,42 @@ export class ProgramView {
     if (begins) void this.drawing().then((screen) => screen?.begin());
   }
 
+  /** Shows a text that was drawn in the editor too. */
+  private readonly write = (text: Text): void => {
+    this.program.text.value = text;
+    this.editor.show(text.text);
+  };
+
   /** Loads the screen on which one draws; null where that cannot be had now. */
   private drawing(): Promise<Screen | null> {
-    const { program, tools, bench } = this;
-    const write = (text: Text): void => {
-      program.text.value = text;
-      this.editor.show(text.text);
-    };
+    const { program, tools, bench, write } = this;
     this.screen ??= later(async () => (await import("./draw/screen")).Screen.open(byId("draw"), byId("draw-tools"), { program, tools, bench, write, open: this.open }));
     return this.screen();
+  }
+
+  /** Shows that screen where one draws: in the place of a chart or a project there is none. */
+  private screened(): void {
+    const draws = (): boolean => byId("views").matches('[data-view="draw"]:not([data-chart], [data-project])');
+    byId("draw-tools").hidden = !draws();
+    if (draws() || this.screen) void this.drawing().then((screen) => screen?.show(draws()));
+  }
+
+  /** Shows the chart of the program beside its ladder, or the units of a project. */
+  private async charted(): Promise<void> {
+    const root = byId("views");
+    const looked = this.program.looked.value;
+    if (!looked || root.dataset["view"] !== "draw" || (!this.beside && !BESIDE.test(looked.text.text))) return;
+    const { program, tools, bench, write } = this;
+    this.beside ??= later(async () => (await import("./project/beside")).Beside.open(root, { program, tools, bench, write }));
+    await (await this.beside())?.show(looked);
+    this.screened();
+    this.ladderNow();
   }
 
   private show(looked: Looked | null): void {
     if (!looked) return;
     const { text, checked } = looked;
+    void this.charted();
     this.editor.tell(text.text, checked);
     const lacks = this.program.lacks.value;
     showProblems(this.problems, checked, lacks, {
@@ -143,7 +170,8 @@ export class ProgramView {
   /** Draws the ladder, where there is one and it is on the screen. */
   private ladderNow(): void {
     const looked = this.program.looked.value;
-    const isShown = byId("views").dataset["view"] === "both";
+    const { view, chart } = byId("views").dataset;
+    const isShown = view === "both" || (view === "draw" && chart !== undefined);
     if (looked?.checked.program && isShown) void this.draw(looked);
   }
 

@@ -3,3 +3,9 @@ declare module "*.il" {
   const text: string;
   export default text;
 }
+
+/** A program in Structured Text, likewise. */
+declare module "*.st" {
+  const text: string;
+  export default text;
+}

@@ -280,7 +280,8 @@ export class Trend {
     const { default: Plot } = await import("uplot");
     const { names, cursor } = this;
     const [from, to] = this.window();
-    const isNew = names.join() !== this.drawn.join() || !this.chart;
+    // None at all are others too, where the chart has some.
+    const isNew = names.join() !== this.drawn.join() || names.length !== this.made.length || !this.chart;
     if (isNew || !this.chart) {
       this.chart?.destroy();
       this.chart = this.make(Plot, names);

@@ -123,6 +123,8 @@ export interface ChartPart {
   readonly initial: boolean;
   /** The numbers of the steps that a transition leaves. */
   readonly from: readonly number[];
+  /** Where it stands in the text, and where the statements of its action do: units of UTF-16, from and to. */
+  readonly places: readonly (readonly [number, number])[];
 }
 
 /** The charts of a text. */
@@ -356,8 +358,8 @@ export interface Named {
 
 /** What a page is told. */
 export type News =
-  /** A board has answered. */
-  | { readonly news: "found"; readonly identity: string }
+  /** A board has answered; and which it is, as a request names it, where that is known. */
+  | { readonly news: "found"; readonly identity: string; readonly board: string | null }
   /** There is no board, or no longer one. It is sought on. */
   | { readonly news: "lost"; readonly why: Both }
   /** All that there is to show. */
@@ -421,6 +423,45 @@ export interface Problem {
   readonly message: Both;
   /** What to do; empty where there is nothing to say. */
   readonly help: Both;
+}
+
+/** A project. */
+export interface Project {
+  readonly name: string;
+  readonly types: readonly string[];
+  readonly globals: readonly ProjectRow[];
+  readonly units: readonly ProjectUnit[];
+}
+
+/** A variable. */
+export interface ProjectRow {
+  readonly name: string;
+  /** The element that declares it and others: `localVars`. */
+  readonly section: string;
+  readonly kind: string;
+  readonly first: string | null;
+  readonly place: string | null;
+  readonly retained: boolean;
+  readonly constant: boolean;
+  readonly comment: string;
+  /** Where it stands in the file, units of UTF-16. */
+  readonly from: number;
+  readonly to: number;
+}
+
+/** A program, a function block or a function. */
+export interface ProjectUnit {
+  readonly name: string;
+  /** `program`, `functionBlock`, `function`. */
+  readonly kind: string;
+  /** `LD`; empty where it has no body. */
+  readonly language: string;
+  /** What a function gives. */
+  readonly gives: string | null;
+  readonly comment: string;
+  readonly variables: readonly ProjectRow[];
+  /** Where it begins in the file, units of UTF-16. */
+  readonly from: number;
 }
 
 /** A moment of a machine. */
@@ -521,6 +562,8 @@ export interface Sheet {
   readonly given: GivenProgram | null;
   /** The name of its machine's file, where it has one. */
   readonly plant: string | null;
+  /** The board that it is for, where it names one. */
+  readonly board: string | null;
   readonly title: Both;
   readonly task: Both | null;
   readonly hints: readonly Both[];
@@ -572,6 +615,24 @@ export interface Step {
   readonly news: readonly News[];
 }
 
+/** How the core stands in the middle of a scan. */
+export interface Stood {
+  /** The instruction that comes next, from 0; none at the end of a scan. */
+  readonly step: number | null;
+  /** Those from it to before this one are run at once. */
+  readonly until: number;
+  readonly acc: boolean;
+  readonly value: number;
+  /** What is pushed, the last first. */
+  readonly pushed: readonly number[];
+  /** Bit n: input n + 1, as the scan has it, and as it is at its contact; likewise the outputs. */
+  readonly inputs: number;
+  readonly closed: number;
+  readonly outputs: number;
+  readonly driven: number;
+  readonly live: Live | null;
+}
+
 /** How a board keeps a program. */
 export interface Stored {
   readonly version: number;
@@ -585,6 +646,33 @@ export interface Trouble {
   /** Of the text of the program that is watched. */
   readonly line: number | null;
   readonly text: Both;
+}
+
+/** An element of a drawn body. */
+export interface UnitElement {
+  /** Its number in the file. */
+  readonly id: string;
+  /** The name of its element: `contact`. */
+  readonly kind: string;
+  readonly written: string;
+  readonly negated: boolean;
+  /** `rising`, `falling`; else empty. */
+  readonly edge: string;
+  /** `set`, `reset`; else empty. */
+  readonly storage: string;
+  /** Where it stands in the file, units of UTF-16. */
+  readonly from: number;
+  readonly to: number;
+}
+
+/** The body of a unit. */
+export interface UnitShown {
+  readonly language: string;
+  /** Of ST and IL. */
+  readonly text: string;
+  /** Of LD and FBD. */
+  readonly svg: string;
+  readonly elements: readonly UnitElement[];
 }
 
 /** A place that was not as expected for a while. */

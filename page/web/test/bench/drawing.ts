@@ -50,3 +50,24 @@ for (const [name, text] of [["a.st", st], ["a.il", il]] as const) {
   // Another text each time: nothing of it is known.
   tell(`${LINES} lines of ${name}, a key, problems told`, quickest((round) => void tools.ask("check", { of: { name, text: `${text}${" ".repeat(round + 1)}` } })));
 }
+
+// A chart of 40 steps: its text after a key, and how it is drawn then.
+const STEPS = 40;
+const steps = Array.from({ length: STEPS }, (_, number) => `${number ? "" : "INITIAL_"}STEP S${number}: q(N); END_STEP\nTRANSITION FROM S${number} TO S${(number + 1) % STEPS} := i; END_TRANSITION\n`);
+const chart = { name: "chart.st", text: `PROGRAM p\nVAR i AT %IX1 : BOOL; q AT %QX1 : BOOL; END_VAR\n${steps.join("")}END_PROGRAM\n` };
+tell(`a chart of ${STEPS} steps, a condition is written and drawn`, quickest((round) => {
+  chart.text = tools.ask("chart", { of: chart, chart: 0, at: "t7", what: "condition", say: round % 2 ? "i" : "NOT i" }).text ?? "";
+}));
+tell(`a chart of ${STEPS} steps, the next step and its action`, quickest(() => void tools.ask("chart", { of: chart, chart: 0, at: "s7", what: "act" })));
+
+// A project of 20 units, as it opens.
+const UNITS = 20;
+const five = readFileSync("test/page/five.xml", "utf8");
+const block = /<pou name="Latch"[^]*?<\/pou>/.exec(five)?.[0] ?? "";
+const more = Array.from({ length: UNITS - 5 }, (_, number) => block.replace("Latch", `Latch${number}`)).join("");
+const project = five.replace("</pous>", `${more}</pous>`);
+tell(`a project of ${UNITS} units opens: checked, its units, the body of one`, quickest((round) => {
+  const of = { name: "plc.xml", text: `${project}${" ".repeat(round)}` };
+  if (tools.ask("project", { of }).units.length !== UNITS || !tools.ask("check", { of }).program) throw new Error("it is another project");
+  tools.ask("unit", { of, unit: "Latch3" });
+}));

@@ -65,3 +65,36 @@ test("a latch is shown as blocks and back, runs live in both, and is changed as 
   await page.waitForFunction(() => ![...document.querySelectorAll("#sheet text.letter")].some((text) => text.textContent === "≥1"));
   await clean(page, "blocks");
 });
+
+/** A counter whose result is taken twice: fan-out by the name of a marker. */
+const COUNTS = "LD I1\nCTU C1, I2, 2\nST M1\nLD M1\nST Q1\nLD M1\nANDN I3\nST Q2\n";
+
+test("an FBD with a counter and fan-out", async () => {
+  const page = await lab.open();
+  await type(page, COUNTS, "counts.il");
+  await page.click("#view-draw");
+  await page.locator("#sheet .element").first().waitFor();
+  await pick(page, "#look-blocks");
+  await page.locator("#sheet text", { hasText: "CTU" }).first().waitFor();
+  // The name stands where it is written, and where it is taken.
+  const named = await page.locator('#sheet .element[data-point="M1"]').count();
+  assert.equal(named, 3);
+  assert.ok((await page.locator("#sheet text.order").count()) > 0, "when a block runs is shown");
+  await run(page);
+  const count = (/** @type {number} */ input) => holding(page, input, () => page.locator(`#sheet .ladder.live .element.on[data-point="I${input}"]`).first().waitFor());
+  await count(1);
+  await count(1);
+  await lamp(page, 1, true);
+  await lamp(page, 2, true);
+  await page.locator('#sheet .ladder.live .element.on[data-point="M1"]').nth(2).waitFor();
+  await holding(page, 3, () => lamp(page, 2, false));
+  await lamp(page, 1, true);
+  // One more place takes it, by the keyboard; and back.
+  await page.locator('#sheet .element[data-point="Q2"]').first().click();
+  await page.locator('#sheet .element.selected[data-point="Q2"]').waitFor();
+  await page.keyboard.press("Delete");
+  await page.waitForFunction(() => document.querySelectorAll('#sheet .element[data-point="Q2"]').length === 0);
+  await page.keyboard.press("Control+z");
+  await page.locator('#sheet .element[data-point="Q2"]').first().waitFor();
+  await page.context().close();
+});

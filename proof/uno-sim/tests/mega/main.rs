@@ -39,6 +39,8 @@ mod points;
 mod program_memory;
 #[path = "../it/retentive.rs"]
 mod retentive;
+#[path = "../it/run_memory.rs"]
+mod run_memory;
 #[path = "../it/stack.rs"]
 mod stack;
 #[path = "../it/start_up.rs"]

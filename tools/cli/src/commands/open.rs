@@ -50,7 +50,7 @@ pub fn unreadable(name: &str, why: &Unreadable) -> String {
     }
 }
 
-/// Reads a program that is right. The faults of one that is not are shown, and the warnings of its text.
+/// Reads a program that is right. The faults of one that is not be shown, and the warnings of its text.
 pub fn open(path: &Path, wording: &Wording, shown: Shown) -> anyhow::Result<Option<Source>> {
     let ProgramFile { name, bytes } = read(path)?;
     check_written(wording.of(name, bytes), wording, shown)
@@ -153,7 +153,7 @@ pub fn faulty(source: &Source, fault: Fault) -> String {
     running(source, fault)
 }
 
-/// A fault of a program that runs, where it stands in its text: `lamp.il:12: fault 75: …`, and that line below.
+/// A fault of a program that runs, where it is in its text: `lamp.il:12: fault 75: …`, and that line below.
 pub fn running(source: &Source, fault: Fault) -> String {
     let mut cause = messages::fault(fault.cause);
     if let Some(help) = fault.line.and_then(|line| no_real(source, line)) {
@@ -165,7 +165,7 @@ pub fn running(source: &Source, fault: Fault) -> String {
     }
 }
 
-/// What stands in this line of numeric code, where a board without REAL numbers refuses it.
+/// What is in this line of numeric code, where a board without REAL numbers refuses it.
 fn no_real(source: &Source, line: u32) -> Option<String> {
     let code = String::from_utf8_lossy(&source.code);
     let text = code.lines().nth((line as usize).checked_sub(1)?)?;

@@ -59,6 +59,7 @@ pub struct Run<'a> {
 pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
     let wrong = |error: LoadError| anyhow!(error.text(messages::spoken()));
     let exercise = Exercise::load(path, wording.board()).map_err(wrong)?;
+    let wording = &wording.on(exercise.board);
     let named = exercise.program.as_deref();
     let program = match (run.program, named) {
         (Some(program), _) => Some(program),

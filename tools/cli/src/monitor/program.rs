@@ -1,4 +1,4 @@
-//! The program file that the board shall run: what a board does not tell of it.
+//! The program file that the board should run: what a board does not tell of it.
 
 use crate::panel::Drawn;
 use crate::variables::Variables;
@@ -20,7 +20,7 @@ pub struct Program {
     /// How a board keeps it.
     pub(super) kept: Kept,
     pub(super) drawn: Drawn,
-    /// Where its steps stand in its text.
+    /// Where its steps are in its text.
     map: SourceMap,
     /// What each timer does.
     pub(super) timers: Vec<Delay>,

@@ -3,6 +3,7 @@
 use super::app::App;
 use super::program::{Program, read};
 use crate::lamps::{Lamp, Lamps, Sides};
+use crate::panel::Marked;
 use crate::variables::lines;
 use crate::{messages, screen};
 use ratatui::Frame;
@@ -397,9 +398,12 @@ fn rungs(app: &mut App, frame: &mut Frame, area: Rect) {
             .as_ref()
             .and_then(|reading| read(reading, point))
     };
-    let lines = program
-        .drawn
-        .lines(&app.flow, usize::from(area.width), read);
+    let lines = program.drawn.lines(
+        &app.flow,
+        (None, &Marked::default()),
+        usize::from(area.width),
+        read,
+    );
     let what = program.drawn.title(read);
     let height = usize::from(area.height.saturating_sub(1));
     app.page = height.saturating_sub(1).max(1);

@@ -5,11 +5,12 @@ use super::analogue::Knobs;
 use super::buttons::{Buttons, KeyUp};
 use super::drawn::Drawn;
 use super::memory::spans;
+use super::slow::{self, Places, Slow, Standing, To};
 use crate::messages;
 use crate::variables::Variables;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use ratatui::text::Span;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use std::time::Duration;
 use unoclp_checked::SourceMap;
@@ -47,7 +48,7 @@ pub struct App {
     pub(super) drawn: Drawn,
     /// The line that a fault names, in the text of the program.
     pub(super) fault_line: Option<usize>,
-    /// Where its steps stand in its text.
+    /// Where its steps are in its text.
     map: SourceMap,
     /// Its text, line by line.
     text: Vec<String>,
@@ -64,6 +65,11 @@ pub struct App {
     /// Scans since the start, which is also the time in ms of the scan that comes next.
     pub(super) scans: u64,
     pub(super) running: bool,
+    /// The scan that stands in slow motion.
+    slow: Option<Slow>,
+    /// Steps before which it stops.
+    breaks: BTreeSet<usize>,
+    places: Places,
     pub(super) scroll: Scroll,
     /// The page of the timers, counted from 0.
     pub(super) timer_page: usize,
@@ -84,6 +90,7 @@ impl App {
     pub fn new(program: Source) -> App {
         let drawn = Drawn::new(&program);
         let names = point_names(&program);
+        let places = Places::new(&program);
         let machine = Machine::new(program.checked);
         App {
             name: program.name,
@@ -100,6 +107,9 @@ impl App {
             buttons: Buttons::new(KeyUp::Guessed),
             scans: 0,
             running: true,
+            slow: None,
+            breaks: BTreeSet::new(),
+            places,
             scroll: Scroll::to(drawn.home()),
             drawn,
             timer_page: 0,
@@ -171,7 +181,7 @@ impl App {
     }
 
     /// What the program counts and remembers, as it stood in the last scan: each with its name. The variables of one that
-    /// declares them stand in place of counters, registers and markers.
+    /// declares them are in place of counters, registers and markers.
     pub(super) fn memory(&self) -> Vec<Vec<Span<'static>>> {
         let machine = &self.machine;
         let selected = self.knobs.selected().map(|input| format!("A{input}"));
@@ -241,27 +251,68 @@ impl App {
         self.owed += elapsed.min(MOST_BEHIND);
         while let Some(left) = self.owed.checked_sub(SCAN) {
             self.owed = left;
-            self.scan()?;
+            self.scan(None)?;
+            if !self.running {
+                break;
+            }
         }
         Ok(())
     }
 
-    fn scan(&mut self) -> io::Result<()> {
+    /// Where the scan stands in slow motion, and the line of that in the text.
+    pub(super) fn standing(&self) -> Option<(Standing, Option<usize>)> {
+        let standing = self.slow.as_ref()?.standing();
+        let line = slow::line(&self.map, standing.step);
+        Some((standing, line))
+    }
+
+    /// The lines of the text that breakpoints are on.
+    pub(super) fn breaks(&self) -> BTreeSet<usize> {
+        let lines = self.breaks.iter();
+        lines
+            .filter_map(|&step| slow::line(&self.map, step))
+            .collect()
+    }
+
+    /// Goes on with a scan, or makes one: so far, and to the next breakpoint at most.
+    fn scan(&mut self, to: Option<To>) -> io::Result<()> {
         if self.fault.is_some() {
             return Ok(());
         }
-        let inputs = self.world();
-        // The clock of the PLC wraps (NC-9).
-        let now = self.scans as Millis;
-        let steps = self.machine.plc().steps().count();
-        let mut flow = Flow::new(steps);
-        let observe = |step, after| flow.observe(step, after);
-        if let Err(fault) = self.machine.scan_observed(inputs, now, observe) {
-            self.fault = Some(fault);
-            let place = fault.line.and_then(|line| self.map.of_code(line));
-            self.fault_line = place.map(|place| place.line);
-            self.running = false;
+        let (places, breaks) = (&self.places, &self.breaks);
+        let stops = |step| breaks.contains(&step) || to.is_some_and(|to| to.stops(step, places));
+        let mut slow = match self.slow.take() {
+            Some(slow) => slow,
+            None => {
+                // The clock of the PLC wraps (NC-9).
+                let now = self.scans as Millis;
+                let slow = Slow::begin(&mut self.machine, self.world(), now);
+                if stops(0) {
+                    self.stand(slow);
+                    return Ok(());
+                }
+                slow
+            }
+        };
+        match slow.go(&mut self.machine, stops) {
+            Ok(true) => {}
+            Ok(false) => {
+                self.stand(slow);
+                return Ok(());
+            }
+            Err(fault) => {
+                self.fault = Some(fault);
+                let place = fault.line.and_then(|line| self.map.of_code(line));
+                self.fault_line = place.map(|place| place.line);
+                self.running = false;
+            }
         }
+        let Slow {
+            mut flow,
+            inputs,
+            now,
+            ..
+        } = slow;
         flow.look(self.machine.plc(), now);
         flow.end(self.machine.plc());
         self.flow = flow;
@@ -274,6 +325,31 @@ impl App {
             self.recorded += 1;
         }
         Ok(())
+    }
+
+    /// The scan stands: what is shown is what it has done so far.
+    fn stand(&mut self, slow: Slow) {
+        self.running = false;
+        self.flow = slow.flow.clone();
+        self.slow = Some(slow);
+        if let Some((_, Some(line))) = self.standing() {
+            self.scroll.show(line.saturating_sub(1));
+        }
+    }
+
+    /// Goes on in slow motion.
+    fn slowly(&mut self, to: To) -> io::Result<()> {
+        self.running = false;
+        self.scan(Some(to))
+    }
+
+    /// Sets a breakpoint where the scan stands, or takes it away.
+    fn turn_break(&mut self) {
+        if let Some((Standing { step, .. }, _)) = self.standing()
+            && !self.breaks.remove(&step)
+        {
+            self.breaks.insert(step);
+        }
     }
 
     /// Takes a key. An error comes from the recording.
@@ -303,9 +379,13 @@ impl App {
             (KeyCode::Char('<'), _) => self.knobs.turn(-100),
             (KeyCode::Char('s'), _) => {
                 self.running = false;
-                self.scan()?;
+                self.scan(None)?;
             }
+            (KeyCode::Char('e'), _) => self.slowly(To::Element)?,
+            (KeyCode::Char('g'), _) => self.slowly(To::Rung)?,
+            (KeyCode::Char('l'), _) => self.slowly(To::Line)?,
             (_, KeyEventKind::Repeat) => {}
+            (KeyCode::Char('b'), _) => self.turn_break(),
             (KeyCode::Char('c'), _) if key.modifiers == KeyModifiers::CONTROL => self.quit = true,
             (KeyCode::Char('q') | KeyCode::Esc, _) => self.quit = true,
             (KeyCode::Char('m'), _) => self.buttons.switch_mode(),
@@ -331,6 +411,7 @@ impl App {
         self.machine.with_plc(|plc: &mut Plc<'_>| plc.restart());
         self.running |= self.fault.take().is_some();
         self.flow = Flow::default();
+        self.slow = None;
         self.scans = 0;
         self.owed = SCAN;
     }
@@ -361,6 +442,13 @@ impl Scroll {
         Scroll {
             top,
             ..Scroll::default()
+        }
+    }
+
+    /// Has this line, counted from 0, be shown where it is not.
+    fn show(&mut self, line: usize) {
+        if line < self.top || line >= self.top + self.height {
+            self.top = line.saturating_sub(self.height / 2);
         }
     }
 

@@ -29,7 +29,8 @@ impl Rungs {
     }
 
     /// All rungs as lines of text, of this width where that is enough for them.
-    pub fn lines(&self, flow: &Flow, width: usize) -> Vec<Line<'static>> {
+    /// That of the step that comes next, where there is one, is marked.
+    pub fn lines(&self, flow: &Flow, next: Option<usize>, width: usize) -> Vec<Line<'static>> {
         let live = |step: usize| self.boxes.text(step, flow);
         let drawing = self.ladder.draw(&Drawn {
             width: width.saturating_sub(MARGIN),
@@ -44,16 +45,19 @@ impl Rungs {
             lines.extend(part.map(|part| Line::raw(format!("    {part}:"))));
             let labels = head.labels.iter();
             lines.extend(labels.map(|label| Line::raw(format!("    L{label}:"))));
-            lines.extend(rung(index + 1, picture, &power));
+            let comes =
+                next.is_some_and(|step| (head.first..head.first + head.steps).contains(&step));
+            lines.extend(rung(index + 1, comes, picture, &power));
         }
         lines
     }
 }
 
 /// The lines of a rung, its number before its first wire.
-fn rung(number: usize, picture: &Picture, power: &Power) -> Vec<Line<'static>> {
+fn rung(number: usize, comes: bool, picture: &Picture, power: &Power) -> Vec<Line<'static>> {
     let line = |(row, cells): (usize, &Vec<Cell>)| {
         let margin = match row == picture.axis {
+            true if comes => format!("{number:>3}▶"),
             true => format!("{number:>3} "),
             false => " ".repeat(MARGIN),
         };

@@ -1,5 +1,6 @@
 //! The simulator without a terminal: keys and time go in, the screen comes out.
 
+mod slow;
 mod typed;
 
 use super::app::App;
@@ -79,7 +80,7 @@ fn the_screen_shows_what_is_energised() {
   2 ┣━━┤ I2 ├──┳━━┤ Q1 ├────────────────────────────( Q2 )─┤
     ┣━━┥/I3 ┝━━┛                                           │
 
- q quit  space pause  s scan  r restart  v text  m momentary  ↑↓ scroll";
+ q quit  space pause  s scan  e slow  r restart  v text  m momentary  ↑↓ scroll";
     assert_eq!(screen(&mut app, 80, 11).join("\n"), expected);
 
     advance(&mut app, 5);
@@ -93,7 +94,7 @@ fn the_screen_shows_what_is_energised() {
   2 ┣━━┤ I2 ├──┳━━┥ Q1 ┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━( Q2 )━┤
     ┣━━┥/I3 ┝━━┛                                           │
 
- q quit  space pause  s scan  r restart  v text  m momentary  ↑↓ scroll";
+ q quit  space pause  s scan  e slow  r restart  v text  m momentary  ↑↓ scroll";
     assert_eq!(screen(&mut app, 80, 11).join("\n"), expected);
 }
 

@@ -2,7 +2,9 @@
 
 use super::ON;
 use super::app::App;
+use super::listing::Marked;
 use super::memory::MemoryPage;
+use super::slow::Standing;
 use crate::lamps::{Lamp, Lamps, Sides};
 use crate::{messages, screen};
 use ratatui::Frame;
@@ -108,7 +110,10 @@ fn draw_footer(app: &App, pages: (usize, usize), frame: &mut Frame, area: Rect) 
         None => String::new(),
     };
     let view = app.drawn.other();
-    let keys = messages::sim_keys(run, view, mode, format!("{knobs}{timers}{memory}"));
+    let keys = match app.standing() {
+        Some(_) => messages::slow_keys(),
+        None => messages::sim_keys(run, view, mode, format!("{knobs}{timers}{memory}")),
+    };
     frame.render_widget(Line::raw(keys).style(BAR), area);
 }
 
@@ -283,8 +288,21 @@ fn timer_spans(label: &str, timer: &TimerState, digits: usize, width: usize) -> 
 
 fn draw_rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     let width = usize::from(area.width);
-    let lines = app.drawn.lines(&app.flow, width, |point| app.read(point));
+    let standing = app.standing();
+    let marked = Marked {
+        next: standing.as_ref().and_then(|(_, line)| *line),
+        breaks: app.breaks(),
+    };
+    let next = standing.as_ref().map(|(standing, _)| standing.step);
+    let slow = (next, &marked);
+    let lines = app
+        .drawn
+        .lines(&app.flow, slow, width, |point| app.read(point));
     let what = app.drawn.title(|point| app.read(point));
+    let what = match &standing {
+        Some((standing, line)) => format!("{what}: {}", stands(standing, *line)),
+        None => what,
+    };
     let height = usize::from(area.height.saturating_sub(1));
     let (count, top) = (lines.len(), app.scroll.fit(lines.len(), height));
     let shown: Vec<Line> = lines.into_iter().skip(top).take(height).collect();
@@ -294,6 +312,23 @@ fn draw_rungs(app: &mut App, frame: &mut Frame, area: Rect) {
         what
     };
     draw_panel(title, shown, frame, area);
+}
+
+/// `next: line 4  acc 1  value 12  stack 3 7`.
+fn stands(standing: &Standing, line: Option<usize>) -> String {
+    let Standing {
+        acc, value, pushed, ..
+    } = standing;
+    let acc = u8::from(*acc);
+    let stack: Vec<String> = pushed.iter().map(i32::to_string).collect();
+    let stack = match stack[..] {
+        [] => String::new(),
+        _ => messages::slow_stack(stack.join(" ")),
+    };
+    match line {
+        Some(line) => messages::slow_next(line, acc, value, stack),
+        None => messages::slow_last(acc, value, stack),
+    }
 }
 
 /// The short name of what a timer drives: `Q1`, `M12`.

@@ -36,6 +36,13 @@ pub fn export_text(text: &str, name: &str) -> String {
     )
 }
 
+/// The body of a unit that is a chart, with its actions and the transitions that have names.
+pub(crate) fn chart_body(chart: &Document) -> String {
+    let mut body = String::new();
+    chart::body(chart, &mut body);
+    body
+}
+
 /// The programs, in the order in which they run.
 fn runs(parts: &Outline) -> String {
     let programs = parts

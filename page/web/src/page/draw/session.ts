@@ -148,7 +148,8 @@ export class Session {
       // A step of its own, which undo takes back.
       const act: Act = { do: "text", ...text };
       const drawn = await this.tools.ask("edit", { act, ...this.shown });
-      this.take(act, drawn);
+      // A hand that has written on meanwhile is not undone.
+      this.take(act, drawn, text === program.text.value);
     } else await this.open(null, text);
   }
 
@@ -175,8 +176,8 @@ export class Session {
     this.weigh(drawn);
   }
 
-  /** This was done, and this is how it is drawn then. */
-  private take(act: Act, drawn: Drawn): void {
+  /** This was done, and this is how it is drawn then; the program has its text, if it may. */
+  private take(act: Act, drawn: Drawn, mayWrite = true): void {
     const { drawing } = this;
     if (!drawing) return;
     const log = [...drawing.log];
@@ -186,7 +187,7 @@ export class Session {
     } else log.push(act);
     const text = drawn.text ?? (act.do === "text" ? act.text : drawing.text);
     this.keep({ ...drawing, log, text, lacks: lacks(drawn) });
-    if (text !== this.program.text.value.text) this.write({ name: drawing.name, text });
+    if (mayWrite && text !== this.program.text.value.text) this.write({ name: drawing.name, text });
     this.drawn.value = drawn;
     this.weigh(drawn);
   }

@@ -1,6 +1,6 @@
 //! `unoclp run`: runs a program on this PC, and shows what its variables hold at the end.
 //!
-//! - `what`: what is run, and how; `ran`: what it has come to
+//! - `what`: what is run, and how; `ran`: its result
 //! - `tree`: a text in a typed language, with all types
 //! - `core`: Instruction List and numeric code, as the board runs them
 //! - `table`: the symbols as a table

@@ -1,0 +1,153 @@
+// A project: the tree of its units at the side, the variables of one in a table, and its body. Rust reads and changes the
+// file; all that it does not know of stays there.
+
+import type { Ask, Problem, Project, ProjectUnit, Text } from "../../tools/answers";
+import { say } from "../../words/project";
+import { speak, told, translate } from "../../words/words";
+import { asked } from "../asked";
+import type { Looked } from "../document";
+import { h } from "../dom";
+import type { Around, ChartPane } from "../sfc/pane";
+import { Body } from "./body";
+import type { Past } from "./past";
+import { Table } from "./table";
+
+/** What is changed of a unit. */
+export type Altered = Pick<Ask<"alter">, "what" | "at" | "to">;
+
+/** How the norm calls a unit. */
+const KINDS: Readonly<Record<string, string>> = { program: "PROGRAM", functionBlock: "FUNCTION_BLOCK", function: "FUNCTION" };
+
+export class ProjectPane {
+  private readonly tree = h("nav", { class: "project-tree", id: "project-tree", "data-say-label": "projectTree" });
+  private readonly heading = h("h3", { id: "project-unit" });
+  private readonly mistakes = h("ul", { class: "problems", id: "project-problems" });
+  private readonly undo = h("button", { type: "button", id: "project-undo", "data-say-label": "projectUndo", click: () => void this.back("undo") }, "↶");
+  private readonly redo = h("button", { type: "button", id: "project-redo", "data-say-label": "projectRedo", click: () => void this.back("redo") }, "↷");
+  private readonly pane: HTMLElement;
+  private readonly table: Table;
+  private readonly body: Body;
+  private project: Project | null = null;
+  private looked: Looked | null = null;
+  /** The unit that is open; none: the global variables. */
+  private open: string | null = null;
+  private queue: Promise<void> = Promise.resolve();
+
+  constructor(
+    private readonly root: HTMLElement,
+    private readonly around: Around,
+    private readonly past: Past,
+    chart: ChartPane,
+  ) {
+    const alter = (altered: Altered): void => void this.alter(altered);
+    this.table = new Table(alter);
+    this.body = new Body(around, chart, alter);
+    this.pane = h("section", { class: "project-pane", id: "project-pane", "data-say-label": "project" },
+      h("div", { class: "project-side" }, h("div", { class: "bar" }, this.undo, this.redo), this.tree),
+      h("div", { class: "project-open" }, this.heading, this.mistakes, this.table.root, this.body.root));
+    root.prepend(this.pane);
+    this.pane.addEventListener("keydown", (event) => {
+      if (!(event.ctrlKey || event.metaKey) || (event.target as Element).matches("input, textarea, .paper")) return;
+      if (event.key === "z") void this.back(event.shiftKey ? "redo" : "undo");
+      else if (event.key === "y") void this.back("redo");
+      else return;
+      event.preventDefault();
+    });
+    speak.follow(() => {
+      translate(this.pane);
+      this.build();
+    });
+  }
+
+  /** Shows the project of a text; null: the text is none. */
+  show(looked: Looked | null): Promise<void> {
+    return this.next(async () => {
+      this.root.toggleAttribute("data-project", looked !== null);
+      if (looked === null) this.looked = this.project = null;
+      if (!looked || looked.text !== this.around.program.text.value) return;
+      if (this.past.meet(looked.text) === "another") this.open = null;
+      this.looked = looked;
+      await this.read(looked.text);
+    });
+  }
+
+  private async read(of: Text): Promise<void> {
+    try {
+      this.project = await this.around.tools.ask("project", { of });
+    } catch {
+      // No project any longer: the problems of its text say why.
+      this.project = null;
+    }
+    const { project } = this;
+    if (project && !this.unit && this.open !== "") this.open = (project.units.find(({ kind }) => kind === "program") ?? project.units[0])?.name ?? "";
+    this.build();
+    await this.body.show(this.unit ?? null, this.looked, this.problems);
+  }
+
+  private get unit(): ProjectUnit | undefined {
+    return this.project?.units.find(({ name }) => name === this.open);
+  }
+
+  /** What is wrong in a unit: from its beginning to that of the next. */
+  private wrongIn(unit: ProjectUnit): readonly Problem[] {
+    const end = Math.min(...(this.project?.units ?? []).map(({ from }) => from).filter((from) => from > unit.from));
+    return (this.looked?.checked.problems ?? []).filter(({ from }) => from >= unit.from && from < end);
+  }
+
+  private get problems(): readonly Problem[] {
+    return this.unit ? this.wrongIn(this.unit) : (this.looked?.checked.problems ?? []);
+  }
+
+  private build(): void {
+    const { project, unit } = this;
+    this.undo.disabled = !this.past.has("undo");
+    this.redo.disabled = !this.past.has("redo");
+    const entry = (name: string, shown: string, note: string, wrong: readonly Problem[]): HTMLElement =>
+      h("button", { type: "button", "data-unit": name, "aria-current": String(name === (unit?.name ?? "")), class: wrong.some(({ severity }) => severity === "error") ? "wrong" : "", click: () => void this.turnTo(name) },
+        shown, h("small", {}, note));
+    this.tree.replaceChildren(h("b", {}, project?.name ?? ""), entry("", say("projectGlobals"), "VAR_GLOBAL", []),
+      ...(project?.units ?? []).map((of) => entry(of.name, of.name, `${KINDS[of.kind] ?? ""} ${of.language}`, this.wrongIn(of))));
+    this.heading.textContent = unit ? `${KINDS[unit.kind] ?? ""} ${unit.name}${unit.gives ? ` : ${unit.gives}` : ""}` : say("projectGlobals");
+    this.mistakes.replaceChildren(...this.problems.map(({ severity, number, message, help }) => h("li", { class: severity }, `${number} ${told(message)} `, h("span", { class: "note" }, told(help)))));
+    this.table.show(unit?.variables ?? project?.globals ?? [], unit !== undefined, this.problems);
+  }
+
+  private turnTo(name: string): Promise<void> {
+    return this.next(async () => {
+      this.open = name;
+      if (this.past.now) await this.read(this.past.now);
+      this.tree.querySelector<HTMLElement>("[aria-current=true]")?.focus();
+    });
+  }
+
+  /** Changes something of the unit that is open. */
+  private alter(altered: Altered): Promise<void> {
+    return this.next(async () => {
+      const of = this.past.now;
+      if (!of) return;
+      const unit = this.unit?.name;
+      await asked(this.around.tools.ask("alter", { of, ...(unit === undefined ? {} : { unit }), ...altered }), (text) => {
+        if (text === of.text) return;
+        const after = { ...of, text };
+        this.past.did(after);
+        this.around.write(after);
+      });
+      // What was refused stands there no longer.
+      if (this.past.now !== of) return;
+      this.table.again();
+      await this.read(of);
+    });
+  }
+
+  private back(way: "undo" | "redo"): Promise<void> {
+    return this.next(async () => {
+      const text = this.past.go(way);
+      if (text) this.around.write(text);
+    });
+  }
+
+  private next(job: () => Promise<void>): Promise<void> {
+    this.queue = this.queue.then(job);
+    return this.queue;
+  }
+}

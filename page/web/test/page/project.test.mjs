@@ -1,0 +1,159 @@
+// A project with all five languages: its units, their variables and bodies are edited, mistakes stand at their element; it is
+// saved, opened, run.
+// @ts-check
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { holding, mouse } from "./hands.mjs";
+import { Lab, choose, clean, keptText, lamp, pick, run } from "./harness.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+/** @type {Lab} */
+let lab;
+before(async () => {
+  lab = await Lab.begin();
+});
+after(() => lab.end());
+
+const FIVE = readFileSync(fileURLToPath(new URL("five.xml", import.meta.url)));
+
+/** A page with the project. @param {import("playwright-core").BrowserContextOptions} [options] */
+async function begun(options) {
+  const page = await lab.open(options);
+  await choose(page, "five.xml", FIVE);
+  await page.click("#view-draw");
+  await page.locator("#project-pane").waitFor();
+  await page.locator('#project-tree [data-unit="main"][aria-current="true"]').waitFor();
+  return page;
+}
+
+/** Waits until the program has this. @param {Page} page @param {string} text */
+async function has(page, text) {
+  await page.waitForFunction((text) => JSON.parse(localStorage.getItem(`program/${sessionStorage.getItem("place")}`) ?? "{}").text?.includes(text), text);
+}
+
+/** Opens a unit. @param {Page} page @param {string} unit */
+async function open(page, unit) {
+  await page.click(`#project-tree [data-unit="${unit}"]`);
+  await page.locator(`#project-tree [data-unit="${unit}"][aria-current="true"]`).waitFor();
+}
+
+/** The field of a variable. @param {Page} page @param {string} variable @param {string} field */
+const field = (page, variable, field) => page.locator(`tr[data-variable="${variable}"] [id$="-${field}"]`);
+
+/** Writes into it. @param {Page} page @param {string} variable @param {string} what @param {string} text */
+async function write(page, variable, what, text) {
+  await field(page, variable, what).fill(text);
+  await field(page, variable, what).press("Enter");
+}
+
+test("the variables of a unit are edited in a table", async () => {
+  const page = await begun();
+  assert.equal(await field(page, "start", "comment").inputValue(), "the green button");
+  await write(page, "halt", "comment", "the red button");
+  await has(page, "the red button");
+  await write(page, "lamp", "place", "%QX5");
+  await has(page, 'name="lamp" address="%QX5"');
+  await field(page, "hold", "retained").click();
+  await has(page, 'retain="true"');
+  await page.fill("#variable-new", "count");
+  await page.click("#variable-add");
+  await has(page, '<variable name="count">');
+  await write(page, "count", "kind", "INT");
+  await has(page, "<INT/>");
+  await write(page, "count", "first", "7");
+  await has(page, '<simpleValue value="7"/>');
+  await clean(page, "project");
+  await field(page, "count", "remove").click();
+  await page.locator('tr[data-variable="count"]').waitFor({ state: "detached" });
+  // A name that is none is told, and stands there no longer.
+  await write(page, "halt", "name", "2 x");
+  await page.locator("#notes", { hasText: "not a name" }).waitFor();
+  assert.equal(await field(page, "halt", "name").inputValue(), "halt");
+  for (let acts = 0; acts < 7; acts++) await page.click("#project-undo");
+  await page.locator("#project-undo:disabled").waitFor();
+  assert.equal(await keptText(page), FIVE.toString());
+  await page.context().close();
+});
+
+test("each unit opens in its editor, and mistakes stand at their element", async () => {
+  const page = await begun();
+  await open(page, "Latch");
+  await page.click('#unit-sheet [data-id="4"]');
+  assert.equal(await page.inputValue("#unit-written"), "stop");
+  await page.click("#unit-negated");
+  await has(page, '<contact localId="4" height');
+  await page.click('#unit-sheet [data-id="2"]');
+  await mouse.write(page, "#unit-written", "nobody");
+  await page.locator('#unit-sheet .wrong[data-id="2"]').waitFor();
+  await page.locator('#project-tree .wrong[data-unit="Latch"]').waitFor();
+  await page.locator("#project-problems .error", { hasText: "nobody" }).waitFor();
+  await page.click("#project-undo");
+  await page.locator("#unit-sheet .wrong").waitFor({ state: "detached" });
+  // By the keyboard alone.
+  await page.focus("#unit-sheet");
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("Enter");
+  await page.locator("#unit-written:focus").waitFor();
+  await page.click("#project-undo");
+  await has(page, '<contact localId="4" negated="true"');
+  await open(page, "Pair");
+  assert.deepEqual(await page.locator("#unit-sheet .order").allTextContents(), ["1", "2"]);
+  await open(page, "Any");
+  assert.equal((await page.inputValue("#unit-text")).trim(), "LD x\nOR y\nST z");
+  await page.fill("#unit-text", "LD x\nORN y\nST z\n");
+  await page.press("#unit-text", "Control+Enter");
+  await has(page, "ORN y");
+  await open(page, "Ready");
+  await page.fill("#unit-text", "Ready := a & NOT b;");
+  await page.press("#unit-text", "Control+Enter");
+  await has(page, "a &amp; NOT b");
+  await open(page, "main");
+  await page.click('#project-body [data-id="t1"]');
+  await mouse.write(page, "#chart-condition", "halt AND NOT start");
+  await has(page, "halt AND NOT start");
+  await page.click('#project-body [data-id="s1"]');
+  await page.click("#chart-after");
+  await page.locator('#project-body .selected[data-id="s2"]').waitFor();
+  await page.locator("#problem-count:not(.bad)").waitFor();
+  // What unoclp does not use is where it was.
+  const text = await keptText(page);
+  for (const kept of ["a comment of the author's", "<!-- what unoclp does not use -->", '<position x="150" y="33"/>']) assert.ok(text.includes(kept), kept);
+  await page.context().close();
+});
+
+test("it is saved, opened and run", async () => {
+  const page = await begun();
+  await write(page, "halt", "comment", "the red button");
+  await has(page, "the red button");
+  const saved = page.waitForEvent("download");
+  await pick(page, "#save-file");
+  const file = readFileSync(await (await saved).path());
+  assert.equal(file.toString(), FIVE.toString().replace('address="%IX2"><type><BOOL/></type>', 'address="%IX2"><type><BOOL/></type><documentation><xhtml:p xmlns:xhtml="http://www.w3.org/1999/xhtml">the red button</xhtml:p></documentation>'));
+  await pick(page, "#new-file");
+  await page.locator("#project-pane").waitFor({ state: "hidden" });
+  await choose(page, "again.xml", file);
+  await page.locator("#project-pane").waitFor();
+  await run(page);
+  await page.locator('#project-body .active[data-id="s0"]').waitFor();
+  await holding(page, 1, () => lamp(page, 1, true));
+  await page.locator('#project-body .active[data-id="s1"]').waitFor();
+  await lamp(page, 1, true);
+  await lamp(page, 4, false);
+  await holding(page, 2, () => lamp(page, 1, false));
+  await page.locator('#project-body .active[data-id="s0"]').waitFor();
+  await page.context().close();
+});
+
+test("a plain file becomes a project", async () => {
+  const page = await lab.open();
+  await page.click("#view-draw");
+  await pick(page, "#make-project");
+  await page.locator("#project-pane").waitFor();
+  await page.locator("#unit-sheet .coil").first().waitFor();
+  assert.ok((await page.inputValue("#name")).endsWith(".xml"));
+  await page.locator("#problem-count.good").waitFor();
+  await page.context().close();
+});
