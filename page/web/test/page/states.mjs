@@ -60,7 +60,7 @@ export const STATES = [
     await page.keyboard.press("Escape");
     await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement)?.blur());
     await page.keyboard.press("Shift+1");
-    await page.locator('.ladder .element.on[data-point="Q1"]').waitFor();
+    await page.locator('.ladder .element.on[data-point="Q1"]').first().waitFor();
   }, { kept: { ...ALONE, view: "both" } }),
   at("both-dark", ran, { kept: { ...ALONE, view: "both", theme: "dark", drawer: "trend" } }),
   at("text-values", async (page) => {
