@@ -70,6 +70,26 @@ test("element by element, by the mouse: power moves as the engine goes, and imag
   await page.context().close();
 });
 
+test("power has come as far as the engine, between contacts that it runs at once too", async () => {
+  const page = await lab.open();
+  await type(page, "LD I1\nOR Q1\nANDN I2\nST Q1\n", "slow.il");
+  await run(page);
+  await page.locator("#ladder svg.live").waitFor();
+  await latch(page);
+  await lamp(page, 1, true);
+  await pick(page, "#slow-motion");
+  await stands(page, /Next: line 1/);
+  const lit = async () => (await page.locator("#ladder .element.on").evaluateAll((all) => all.map((one) => one.getAttribute("data-point")))).join();
+  await page.waitForFunction(() => document.querySelectorAll("#ladder .element.on").length === 0);
+  await page.keyboard.press("F10");
+  await stands(page, /Next: line 3/);
+  assert.equal(await lit(), "I1,Q1");
+  await page.keyboard.press("F10");
+  await stands(page, /Next: line 4/);
+  assert.equal(await lit(), "I1,I2,Q1");
+  await page.context().close();
+});
+
 test("by the keyboard: by lines, a breakpoint on a line without code, to here, and on", async () => {
   const page = await slow();
   await page.keyboard.press("Alt+F10");

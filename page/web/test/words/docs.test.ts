@@ -9,6 +9,7 @@ import { DRAW } from "../../src/words/drawtable";
 import { LEARN } from "../../src/words/learntable";
 import { SLOW } from "../../src/words/slowtable";
 import { PROJECT } from "../../src/words/projecttable";
+import { SLOW } from "../../src/words/slowtable";
 import { TABLE } from "../../src/words/table";
 
 // npm runs the tests in the folder of the page, xtask above it.

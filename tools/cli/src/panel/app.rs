@@ -285,8 +285,8 @@ impl App {
             Some(slow) => slow,
             None => {
                 // The clock of the PLC wraps (NC-9).
-                let now = self.scans as Millis;
-                let slow = Slow::begin(&mut self.machine, self.world(), now);
+                let (inputs, now) = (self.world(), self.scans as Millis);
+                let slow = Slow::begin(&mut self.machine, inputs, now);
                 if stops(0) {
                     self.stand(slow);
                     return Ok(());
