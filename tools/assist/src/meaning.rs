@@ -1,9 +1,9 @@
 //! What a word of a text stands for.
 
 use crate::reader::Reader;
-use unoclp_lang::Colour;
 use unoclp_lang::outline::What;
 use unoclp_lang::typed::{Base, Standard, functions, is_function};
+use unoclp_lang::{Colour, Span};
 use unoclp_point::{Address, Maker, read};
 
 /// What a word stands for.
@@ -53,7 +53,15 @@ impl Reader<'_> {
         if let Some(pin) = self.pin(at) {
             return Some(pin);
         }
-        self.name(word.text, word.span.start)
+        let member = self.member_at(word.span).map(Meaning::Declared);
+        member.or_else(|| self.name(word.text, word.span.start))
+    }
+
+    /// The member of a structure that is declared there: no unit's name, so only its place tells it.
+    fn member_at(&self, span: Span) -> Option<usize> {
+        let named = &self.outline.named;
+        let at = named.binary_search_by_key(&span.start, |named| named.name.start);
+        at.ok().filter(|at| named[*at].what == What::Member)
     }
 
     /// What a name means at a byte of the text.
