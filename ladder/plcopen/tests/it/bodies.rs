@@ -71,9 +71,9 @@ fn an_element_is_changed_and_all_else_stays() {
     let written = touched("2", Touch::Written("on < \"1\"".to_owned()));
     assert_eq!(difference(FIVE, &written), ("go", "on &lt; &quot;1&quot;"));
     let plain = touched("4", Touch::Negated(false));
-    assert_eq!(difference(FIVE, &plain), (" negated=\"true\"", ""));
+    assert_eq!(difference(FIVE, &plain), ("negated=\"true\" ", ""));
     let set = touched("5", Touch::Storage("set".to_owned()));
-    assert_eq!(difference(FIVE, &set), ("", " storage=\"set\""));
+    assert_eq!(difference(FIVE, &set), ("", "storage=\"set\" "));
     compiles(&set);
     assert!(touch(FIVE, "Latch", "77", &Touch::Negated(true)).is_none());
 }
