@@ -28,6 +28,56 @@ fn main() {
     let folder = env::var("OUT_DIR").expect("cargo names the folder");
     let table = format!("{pairs:?}");
     fs::write(Path::new(&folder).join("pairs.rs"), table).expect("the folder is there");
+    second_port(Path::new(&folder));
+}
+
+/// What the second serial port of a Mega is called by where the first is this: names, registers by name, and registers by
+/// address in `port.s`.
+const SECOND_PORT: &[(&str, &str)] = &[
+    ("PORT_", "BUS_"),
+    (" port_", " bus_"),
+    ("\nport_", "\nbus_"),
+    ("interrupt", "bus_interrupt"),
+    ("direction_low", "bus_direction_low"),
+    (
+        "include_str!(\"port.s\")",
+        "include_str!(concat!(env!(\"OUT_DIR\"), \"/bus.s\"))",
+    ),
+    ("IS_BUS: bool = false", "IS_BUS: bool = true"),
+    ("USART0", "USART1"),
+    ("TC2", "TC0"),
+    ("ocr2", "ocr0"),
+    ("tccr2", "tccr0"),
+    ("cs2", "cs0"),
+    ("tifr2", "tifr0"),
+    ("ubrr0", "ubrr1"),
+    ("ucsr0", "ucsr1"),
+    ("udr0", "udr1"),
+    ("udre0", "udre1"),
+    ("0xC0", "0xC8"),
+    ("0xC1", "0xC9"),
+    ("0xC6", "0xCE"),
+    ("0xB2", "0x46"),
+    ("0xB4", "0x48"),
+    ("0x17,", "0x15,"),
+];
+
+/// The sources of the second port from those of the first, since they differ in nothing else. A [`Line`] is the same.
+fn second_port(folder: &Path) {
+    for (first, second) in [("serial.rs", "bus.rs"), ("port.s", "bus.s")] {
+        let source = fs::read_to_string(Path::new("src/board").join(first)).expect("a source");
+        let lines = source.lines().filter(|line| !line.starts_with("//!"));
+        let mut text = lines.collect::<Vec<_>>().join("\n");
+        if let Some((before, rest)) = text.split_once("/// What the line is like.")
+            && let Some((_, behind)) = rest.split_once("/// The serial port.")
+        {
+            text = format!("{before}pub use super::serial::Line;\n\n/// The serial port.{behind}");
+        }
+        for (name, other) in SECOND_PORT {
+            text = text.replace(name, other);
+        }
+        fs::write(folder.join(second), text + "\n").expect("the folder is there");
+    }
 }
 
 /// Compiles for the board that `cargo xtask firmware` names; for the UNO where none is named. A feature of cargo's would

@@ -2,7 +2,7 @@
 //!
 //! Start-up: outputs off, the clock, the card; `PROGRAM.TXT` goes byte by byte through the loader,
 //! is kept in the EEPROM, and taken from there into run memory; the card is released. Then scans
-//! for ever, watched by the diagnosis and the watchdog, or a fault with everything off; and beside either
+//! forever, watched by the diagnosis and the watchdog, or a fault with everything off; and beside either
 //! the Modbus server.
 //!
 //! Owns what runs on the chip; only `board` touches registers. Must not know the text of a program. What can go wrong is a
@@ -72,6 +72,8 @@ fn open_line(board: &mut Board) -> bool {
     let mut settings = Settings::new();
     settings.load(&board.eeprom, defaults);
     board.serial.open(&settings.line());
+    #[cfg(mega)]
+    board.bus.open(&settings.line());
     defaults
 }
 

@@ -38,10 +38,44 @@ struct Work<'b> {
     state: Keeper,
 }
 
+/// Whether nothing goes on at a serial port.
+#[cfg(not(mega))]
+macro_rules! is_quiet {
+    ($board:ident) => {
+        $board.serial.is_quiet()
+    };
+}
+#[cfg(mega)]
+macro_rules! is_quiet {
+    ($board:ident) => {
+        $board.is_quiet()
+    };
+}
+
+/// For how many seconds nobody has asked.
+#[cfg(not(mega))]
+macro_rules! silence {
+    ($server:expr) => {
+        &mut $server.silence
+    };
+}
+#[cfg(mega)]
+macro_rules! silence {
+    ($server:expr) => {
+        $server.silence()
+    };
+}
+
+/// A frame for each line.
+#[cfg(not(mega))]
+type Frames = &'static mut Frame;
+#[cfg(mega)]
+type Frames = [&'static mut Frame; 2];
+
 /// ms.
 const SECOND: u16 = 1000;
 
-/// RUN, STOP and FAULT, for ever.
+/// RUN, STOP and FAULT, forever.
 // Apart from `main`, whose frame is there while a card is read.
 #[inline(never)]
 pub fn serve(
@@ -63,11 +97,13 @@ pub fn serve(
     let Running { data, settings, .. } = page;
     // SAFETY: once.
     #[cfg(mega)]
-    let frame = unsafe { crate::page::frame() };
+    let [frame, frame_of_bus] = unsafe { crate::page::frames() };
     settings.load(&board.eeprom, defaults);
     if program.is_ok() {
         report::state_file(&board.serial, &file);
     }
+    #[cfg(mega)]
+    let frame = [frame, frame_of_bus];
     let work = &mut Work::new(board, frame, settings, file);
     data.retain(work.retentive.markers());
     // Last of all: whoever reads that the board is ready may ask it at once.
@@ -114,7 +150,7 @@ impl Work<'_> {
     #[inline(never)]
     fn new<'b>(
         board: &'b Board,
-        frame: &'static mut Frame,
+        frame: Frames,
         settings: &'static mut Settings,
         file: StateFile,
     ) -> Work<'b> {
@@ -168,7 +204,7 @@ impl Work<'_> {
 
     /// Another second has passed.
     fn each_second(&mut self) {
-        let silence = &mut self.server.silence;
+        let silence = silence!(self.server);
         *silence = silence.saturating_add(1);
         self.scans.operation.silence(*silence);
         self.seconds += 1;
@@ -233,7 +269,7 @@ fn scan(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
             return Err(Cause::TooManyJumps);
         };
         // The EEPROM is read for an answer, and would keep the scan waiting while it is written.
-        if !board.serial.is_quiet() && !board.eeprom.is_busy() {
+        if !is_quiet!(board) && !board.eeprom.is_busy() {
             work.answer(plc.memory());
             take_coils(work, plc);
         }

@@ -67,18 +67,18 @@ pub struct Running {
 }
 
 #[cfg(mega)]
-static mut FRAME: Frame = [0; size_of::<Frame>()];
+static mut FRAMES: [Frame; 2] = [[0; size_of::<Frame>()]; 2];
 
-/// The frame of the server.
+/// The frames of the server, one for each line.
 ///
 /// # Safety
 ///
 /// To be called once.
 #[cfg(mega)]
-pub unsafe fn frame() -> &'static mut Frame {
-    let frame = &raw mut FRAME;
-    // SAFETY: there is no other way to it, and this one is taken once.
-    unsafe { &mut *frame }
+pub unsafe fn frames() -> &'static mut [Frame; 2] {
+    let frames = &raw mut FRAMES;
+    // SAFETY: there is no other way to them, and this one is taken once.
+    unsafe { &mut *frames }
 }
 
 const _: () = {

@@ -1,5 +1,6 @@
-//! `cargo xtask bench`: measures the firmware on a simulated UNO, the compiler and the machines on this PC, and writes
-//! `docs/benchmarks.md`, `docs/compile-benchmarks.md` and `docs/machine-benchmarks.md`; with `--site`, `docs/site-benchmarks.md`.
+//! `cargo xtask bench`: measures the firmware on a simulated UNO, the rest on this PC, and writes
+//! `docs/benchmarks.md`, and beside it the pages of the compiler, the editor and the machines; with `--site`,
+//! `docs/site-benchmarks.md`.
 
 mod machines;
 mod site;
@@ -20,6 +21,9 @@ const PAGE: &str = "docs/benchmarks.md";
 
 /// The page with those of the compiler.
 const COMPILER_PAGE: &str = "docs/compile-benchmarks.md";
+
+/// The page with those of the editor.
+const EDITOR_PAGE: &str = "docs/editor-benchmarks.md";
 
 /// The words after `cargo xtask bench`.
 #[derive(clap::Args)]
@@ -50,16 +54,18 @@ pub fn run(args: &Args) -> Result<()> {
     say("bench: measuring; this takes a minute or two");
     shell::run(&mut bench(&firmware, &shell::root().join(PAGE)))?;
     say("bench: measuring the compiler");
-    shell::run(&mut compiler_bench(&shell::root().join(COMPILER_PAGE)))?;
+    shell::run(&mut page_bench("unoclp-lang", "lines", COMPILER_PAGE))?;
+    say("bench: measuring the editor");
+    shell::run(&mut page_bench("unoclp-assist", "editor", EDITOR_PAGE))?;
     say("bench: measuring the machines");
     machines::run()
 }
 
-/// The program that measures the compiler, built as users build theirs.
-fn compiler_bench(page: &Path) -> Command {
+/// A program that measures and writes a page, built as users build theirs.
+fn page_bench(package: &str, bench: &str, page: &str) -> Command {
     let mut command = cargo();
-    command.args(["bench", "--quiet", "--package=unoclp-lang", "--bench=lines"]);
-    command.args(["--", "--page"]).arg(page);
+    command.args(["bench", "--quiet", "--package", package, "--bench", bench]);
+    command.args(["--", "--page"]).arg(shell::root().join(page));
     command
 }
 

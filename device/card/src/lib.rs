@@ -3,7 +3,7 @@
 //! Owns the way from a name to a file's bytes. Must not know how blocks come from the card, nor what the file says.
 //!
 //! It never writes, it needs no memory but the one block that its device has room for, and no content of a card
-//! makes it panic or read for ever. The firmware and the tests on a PC run this same code.
+//! makes it panic or read forever. The firmware and the tests on a PC run this same code.
 //!
 //! ```
 //! use unoclp_card::{Device, Error, File};

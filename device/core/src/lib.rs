@@ -46,7 +46,7 @@ pub use isa::Instruction;
 pub use kept::{KEPT, NUMBER_BYTES, Number, RECORD_BYTES, RECORDED};
 pub use loader::Loader;
 pub use needs::Needs;
-pub use plc::{After, Clocks, CounterState, Debounce, Inputs, Plc, Snapshot, TimerState};
+pub use plc::{After, Clocks, CounterState, Debounce, Inputs, Plc, Scan, Snapshot, TimerState};
 pub use program::{Program, Steps};
 pub use text::Part;
 pub use timer::{Delay, Millis, Target, TimerBlock};

@@ -116,6 +116,11 @@ impl<'c> Steps<'c> {
         }
     }
 
+    /// The same, from the instruction on that begins at this stored byte, behind others that cost so much.
+    pub(crate) fn behind(self, at: usize, cost: usize) -> Steps<'c> {
+        Steps { at, cost, ..self }
+    }
+
     /// The stored byte that the next instruction begins at.
     pub fn at(&self) -> usize {
         self.at

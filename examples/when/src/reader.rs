@@ -270,7 +270,7 @@ impl Reader<'_, '_> {
             .literal(Base::Time, Value::Int(ms.into()), number.span))
     }
 
-    /// A timer of the norm, whose IN is the value so far.
+    /// A timer of the standard, whose IN is the value so far.
     fn waited(
         &mut self,
         name: Word,

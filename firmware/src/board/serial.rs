@@ -15,6 +15,10 @@ use unoclp_modbus::Frame;
 
 global_asm!(interrupts!(), include_str!("port.s"), options(raw));
 
+/// Whether it is the second port of its board, a bus of Modbus: the direction is that of this one.
+#[cfg(mega)]
+const IS_BUS: bool = false;
+
 /// U2X0: half as many clocks for each bit.
 const DOUBLE_SPEED: u8 = 1 << 1;
 /// 8 data bits.
@@ -23,6 +27,9 @@ const RECEIVING: u8 = 1 << 7;
 const LISTEN: u8 = RECEIVING | 1 << 4 | 1 << 3;
 const ONLY_SEND: u8 = 1 << 3;
 const SEND: u8 = 1 << 5 | ONLY_SEND;
+/// TXCIE0: the last byte is going.
+#[cfg(mega)]
+const LAST: u8 = 1 << 6;
 /// OCF2A
 const SILENCE: u8 = 1 << 1;
 /// PC4, A4: the direction of the RS-485 driver.
@@ -103,7 +110,7 @@ impl Serial {
                 .write(|w| w.bits(line.parity_bits | EIGHT_BITS));
             usart.ucsr0b().write(|w| w.bits(ONLY_SEND));
             #[cfg(mega)]
-            if line.has_direction {
+            if IS_BUS && line.has_direction {
                 pins.ddrd().write(|w| w.bits(DIRECTION));
             }
             #[cfg(not(mega))]
@@ -194,7 +201,7 @@ impl Serial {
         END.set(length);
         CRC.set(0xFFFF);
         #[cfg(mega)]
-        if self.pins.ddrd().read().bits() & DIRECTION != 0 {
+        if IS_BUS && self.pins.ddrd().read().bits() & DIRECTION != 0 {
             self.pins.portd().modify(|_, w| w.pd1().set_bit());
         }
         #[cfg(not(mega))]
@@ -203,6 +210,12 @@ impl Serial {
         }
         // So that it is not quiet in between: the first byte goes at once.
         self.control(SEND);
+    }
+
+    /// Whether an answer is on its way.
+    #[cfg(mega)]
+    pub fn is_sending(&self) -> bool {
+        self.usart.ucsr0b().read().bits() & (SEND | LAST) & !ONLY_SEND != 0
     }
 
     fn listen(&self) {

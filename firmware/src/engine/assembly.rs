@@ -51,7 +51,9 @@ unoclp_core::instructions!(assembly {
     NEAR = NEAR;
     VECTORS = VECTORS;
     DATA_OUTPUTS = DATA_OUTPUTS;
+    DATA_STACK = DATA_STACK;
     JOB_MORE_OUTPUTS = JOB_MORE_OUTPUTS;
+    JOB_PORT = JOB_PORT;
     REAL = BOARD.real as u8;
     PAGE_DATA = offset_of!(Running, data);
     DATA_SYSTEM = offset_of!(Data, system);
@@ -146,6 +148,18 @@ const VECTORS: usize = if cfg!(mega) { 4 * 57 } else { 4 * 26 };
 const DATA_OUTPUTS: usize = offset_of!(Data, outputs);
 #[cfg(not(mega))]
 const DATA_OUTPUTS: usize = 0;
+
+/// Where the stack stands when a scan ends.
+#[cfg(mega)]
+const DATA_STACK: usize = offset_of!(Data, stack);
+#[cfg(not(mega))]
+const DATA_STACK: usize = 0;
+
+/// The port of contacts that are pending.
+#[cfg(mega)]
+const JOB_PORT: usize = offset_of!(Job, port);
+#[cfg(not(mega))]
+const JOB_PORT: usize = 0;
 
 /// The outputs 05 to 08 that are not PWM.
 #[cfg(mega)]

@@ -42,6 +42,8 @@ pub struct Data {
 #[cfg(mega)]
 #[repr(C)]
 pub struct Data {
+    /// Inputs 01 … 24, a byte for each port.
+    pub more_inputs: [u8; 3],
     /// PWM of the output with this index.
     pub pwm: [u8; PWM],
     /// The readings of A 00 … A 07, 0 to 1023.
@@ -52,8 +54,8 @@ pub struct Data {
     pub budget: i16,
     /// The line of that jump.
     pub line: u16,
-    /// Inputs 05 … 08 again, as bits 4 to 7.
-    pub more_inputs: u8,
+    /// The low byte of where the stack stands when a scan ends.
+    pub stack: u8,
     /// S 01 … S 04.
     pub system: [Cell; 4],
     /// Inputs 05 … 24.

@@ -1,4 +1,27 @@
-; The handlers that are run most, in words 0x200 to 0x2FF. Their rules are at the head of `rules.s`.
+; The handlers that are run most, in words 0x200 to 0x2FF or 0x300 to 0x3FF. Their rules are at the head of `rules.s`.
+
+; What stands beyond these words where rows of more inputs stand there.
+.macro  do_load
+        movw    r22, r8
+        movw    r24, r10
+        next
+.endm
+.macro  do_add
+        add     r22, r8
+        adc     r23, r9
+        adc     r24, r10
+        adc     r25, r11
+        next
+.endm
+.macro  do_store_near
+        ld      r30, X+
+        brtc    1f
+        st      Z, r22
+        std     Z+1, r23
+        std     Z+2, r24
+        std     Z+3, r25
+1:      next
+.endm
 
         .space  0x200 - (more_page_end - engine_more_page)
 
@@ -115,6 +138,23 @@ engine_cell_coil:
         bld     r21, 7
         st      Z, r21
         next
+        .if     WIDE
+; With a new rung behind it: 11 cycles.
+engine_cell_coil_new_rung:
+        ld      r30, X+
+        clr     r21
+        bld     r21, 7
+        st      Z, r21
+        set
+        next
+; A row of contacts of inputs 09 to 16, or 17 to 24, as of the images: 15 cycles. That of 01 to 08 comes last.
+engine_second_row:
+        lds     r0, MORE_INPUTS + 1
+        rjmp    row
+engine_third_row:
+        lds     r0, MORE_INPUTS + 2
+        rjmp    row
+        .endif
 ; Contacts by any address: 15 cycles.
 engine_far_cell:
         rjmp    far_cell
@@ -143,25 +183,25 @@ engine_popped:
 
 ; What operations do most. A store has a near address, and is done where acc = 1.
 engine_load:
-        movw    r22, r8
-        movw    r24, r10
-        next
+        .if     WIDE
+        rjmp    load
+        .else
+        do_load
+        .endif
 engine_add:
-        add     r22, r8
-        adc     r23, r9
-        adc     r24, r10
-        adc     r25, r11
-        next
+        .if     WIDE
+        rjmp    add
+        .else
+        do_add
+        .endif
 engine_subtract:
         rjmp    subtract
 engine_store_near:
-        ld      r30, X+
-        brtc    1f
-        st      Z, r22
-        std     Z+1, r23
-        std     Z+2, r24
-        std     Z+3, r25
-1:      next
+        .if     WIDE
+        rjmp    store_near
+        .else
+        do_store_near
+        .endif
 
 ; The handler of the next byte is one of those in the words before: 5 cycles.
 engine_escape_first:
@@ -173,8 +213,35 @@ engine_escape:
 
 ; The end of the code, and of the scan.
 engine_end:
-        ret
+        end_scan
+        .if     WIDE
+; A row of contacts of inputs 01 to 08: it may go on beyond the words, since it begins there. 13 cycles.
+engine_first_row:
+        lds     r0, MORE_INPUTS
+        .endif
 engine_page_end:
+
+        .if     WIDE
+row:    ld      r21, X+
+        and     r21, r0
+        ld      r30, X+
+        cpse    r21, r30
+        clt
+        next
+load:   do_load
+add:    do_add
+store_near:
+        do_store_near
+
+; A program that changed in run memory may push what nobody pops. The address to return to could then lie far beyond the
+; firmware, where a large flash holds whatever was there before: the board starts anew.
+scan_ends:
+        lds     r30, ENGINE_STACK
+        in      r31, 0x3d       ; SPL
+        cpse    r30, r31
+        jmp     0
+        ret
+        .endif
 
 new_rung:
         set

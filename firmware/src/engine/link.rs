@@ -45,6 +45,9 @@ pub(super) struct Job {
     /// The outputs 05 to 08 that are not PWM, from bit 0 on.
     #[cfg(mega)]
     pub(super) more_outputs: u8,
+    /// The port of the contacts that are pending, counted from 1; 0 of the images.
+    #[cfg(mega)]
+    pub(super) port: u8,
     pub(super) jumps_back: bool,
     /// What has been read and not been put yet.
     pub(super) pending: u8,
@@ -112,6 +115,8 @@ pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Result
         outputs: !(layout.stored.needs.pwm as u8) << POINTS,
         #[cfg(mega)]
         more_outputs: !(layout.stored.needs.pwm as u8) >> POINTS,
+        #[cfg(mega)]
+        port: 0,
         jumps_back: false,
         pending: RUNG,
         ones: 0,

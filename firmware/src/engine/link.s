@@ -12,7 +12,8 @@
 ; tells, at the end.
 
 ; What has been read and not been put yet, because it depends on what follows: a rung has begun, and acc
-; is 1; a coil, whose output is in JOB_ONES; contacts in a row, so many, of images that must be 1 and 0.
+; is 1; a coil, whose output is in JOB_ONES, or where JOB_COUNT is not 0 the near address of its bit; contacts in a row,
+; so many, of images that must be 1 and 0, or of the inputs of one port (JOB_PORT).
         .equ    NOTHING, 0
         .equ    COIL, 2
         .equ    CONTACTS, 3
@@ -135,6 +136,12 @@ link_flush:
         brcs    3f
         ldd     r24, Y+JOB_ONES
         brne    1f
+        .if     WIDE
+        ldd     r18, Y+JOB_COUNT
+        ldi     r19, pm_lo8(engine_cell_coil)
+        cpse    r18, r1
+        rjmp    link_cell
+        .endif
         mov     r18, r24
         lsl     r18
         add     r24, r18
@@ -142,9 +149,17 @@ link_flush:
         add     r24, r18
         rjmp    link_put
 1:      ldd     r25, Y+JOB_COUNT
+        .if     WIDE
+        ldd     r18, Y+JOB_PORT
+        tst     r18
+        brne    link_port
+        .endif
         cpi     r25, 3
         brcs    2f
         ldi     r24, pm_lo8(engine_contacts)
+        .if     WIDE
+link_row:
+        .endif
         rcall   link_put
         ldd     r24, Y+JOB_ONES
         ldd     r25, Y+JOB_ZEROS
@@ -168,6 +183,44 @@ link_singles:
         tst     r20
         brne    4b
 3:      ret
+
+        .if     WIDE
+; Puts the contacts of port r18, so many as r25 says.
+link_port:
+        std     Y+JOB_PORT, r1
+        cpi     r25, 2
+        brcs    1f
+        ldi     r24, pm_lo8(engine_first_row)
+        dec     r18
+        breq    link_row
+        ldi     r24, pm_lo8(engine_second_row)
+        dec     r18
+        breq    link_row
+        ldi     r24, pm_lo8(engine_third_row)
+        rjmp    link_row
+1:      mov     r24, r18        ; but one, whose bit is in one of these
+        lsl     r24
+        lsl     r24
+        lsl     r24
+        ldi     r19, pm_lo8(engine_cell)
+        ldd     r20, Y+JOB_ONES
+        tst     r20
+        brne    2f
+        ldi     r19, pm_lo8(engine_cell_not)
+        ldd     r20, Y+JOB_ZEROS
+2:      lsr     r20
+        breq    3f
+        inc     r24
+        rjmp    2b
+3:      subi    r24, lo8(-(INPUT_CELLS - 8 - POINTS))
+; Puts the handler r19 and the near address r24.
+link_cell:
+        push    r24
+        mov     r24, r19
+        rcall   link_put
+        pop     r24
+        rjmp    link_put
+        .endif
 
 ; Puts contacts in parallel, and what of another branch has come; a contact in it is pending then.
 link_part:
@@ -348,17 +401,15 @@ link_coil:
         .if     WIDE
         cpi     r17, POINTS
         brcs    1f
-        inc     r17
-        ldi     r24, pm_lo8(engine_cell_coil)
-        rcall   link_fast
-        ldi     r24, KIND_OUTPUT
-        mov     r12, r24
-        rjmp    link_object
+        rjmp    link_far_coil
 1:
         .endif
         rcall   link_flush
         andi    r17, 3
         std     Y+JOB_ONES, r17
+        .if     WIDE
+        std     Y+JOB_COUNT, r1
+        .endif
         ldi     r24, COIL
         std     Y+JOB_PENDING, r24
         ret
@@ -375,6 +426,7 @@ link_contact:
 2:      cpi     r17, POINTS
         brcs    4f
         .if     WIDE
+        rjmp    link_port_contact
 link_far_contact:
         .endif
         inc     r17             ; inputs from 05 on
@@ -398,7 +450,19 @@ link_far_contact:
         rcall   link_part
         rjmp    5f
 1:      cpi     r25, CONTACTS
+        .if     WIDE
+        brne    6f
+        ldd     r24, Y+JOB_PORT
+        tst     r24
         breq    5f
+        dec     r24
+        brne    6f
+        cpi     r17, 1 << POINTS ; inputs 01 to 04 stand in the first port too
+        brcs    5f
+6:
+        .else
+        breq    5f
+        .endif
         cpi     r25, READY
         brne    1f
         ldd     r24, Y+JOB_ONES ; not the same point twice
@@ -432,6 +496,63 @@ link_far_contact:
         std     Y+JOB_LAST, r17
         std     Y+JOB_OPEN_CONTACT, r16
         rjmp    link_join
+
+        .if     WIDE
+; A contact of input r17, from 05 on: in a row with others of its port.
+link_port_contact:
+        mov     r14, r17
+        lsr     r14
+        lsr     r14
+        lsr     r14
+        inc     r14
+        mov     r24, r17
+        andi    r24, 7
+        rcall   link_bit
+        mov     r17, r24
+        ldd     r25, Y+JOB_PENDING
+        cpi     r25, CONTACTS
+        brne    1f
+        ldd     r24, Y+JOB_PORT
+        cp      r24, r14
+        breq    5b
+        or      r24, r14        ; inputs 01 to 04 stand in the first port too
+        cpi     r24, 1
+        brne    1f
+        ldd     r24, Y+JOB_ONES
+        ldd     r18, Y+JOB_ZEROS
+        or      r24, r18
+        cpi     r24, 1 << POINTS
+        brcc    1f
+        std     Y+JOB_PORT, r14
+        ldi     r24, NO_BASE
+        std     Y+JOB_BASE, r24
+        rjmp    5b
+1:      rcall   link_flush
+        std     Y+JOB_ONES, r1
+        std     Y+JOB_ZEROS, r1
+        std     Y+JOB_COUNT, r1
+        std     Y+JOB_PORT, r14
+        ldi     r24, CONTACTS
+        std     Y+JOB_PENDING, r24
+        rjmp    5b
+        .endif
+
+        .if     WIDE
+; A coil of output r17, from 05 on; and of the bit that has this kind and number.
+link_far_coil:
+        inc     r17
+        ldi     r24, KIND_OUTPUT
+        mov     r12, r24
+link_cell_coil:
+        rcall   link_flush
+        rcall   link_find
+        std     Y+JOB_ONES, r24
+        ldi     r24, 1
+        std     Y+JOB_COUNT, r24
+        ldi     r24, COIL
+        std     Y+JOB_PENDING, r24
+        ret
+        .endif
 
 ; An instruction without an operand.
 link_plain:
@@ -505,6 +626,16 @@ link_new_rung:
         cpi     r24, COIL
         brne    1f
         ldd     r24, Y+JOB_ONES
+        .if     WIDE
+        ldd     r18, Y+JOB_COUNT
+        tst     r18
+        breq    3f
+        std     Y+JOB_PENDING, r1
+        ldi     r19, pm_lo8(engine_cell_coil_new_rung)
+        rcall   link_cell
+        rjmp    2f
+3:
+        .endif
         lsl     r24
         lsl     r24
         ldi     r18, pm_lo8(engine_coil_new_rung)
@@ -650,11 +781,17 @@ link_timer:
         brcc    4f
         rjmp    link_coil
 4:      subi    r17, MARKER_TARGET - 1
+        .if     WIDE
+        ldi     r24, KIND_MARKER
+        mov     r12, r24
+        rjmp    link_cell_coil
+        .else
         ldi     r24, pm_lo8(engine_cell_coil)
         rcall   link_fast
         ldi     r24, KIND_MARKER
         mov     r12, r24
         rjmp    link_object
+        .endif
 
 ; An instruction with a number.
 link_numbered:
@@ -664,7 +801,14 @@ link_numbered:
         cpi     r25, KIND_TIME
         brne    1f
         ret
-1:      cpi     r16, OP_KeepRegister
+1:
+        .if     WIDE
+        cpi     r16, OP_MarkerCoil
+        brne    1f
+        rjmp    link_cell_coil
+1:
+        .endif
+        cpi     r16, OP_KeepRegister
         brcs    1f
         cpi     r16, OP_Push
         brcc    1f

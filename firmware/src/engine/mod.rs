@@ -207,7 +207,10 @@ impl<'m> Linked<'m> {
     /// Whether a scan needs to [`prepare`](Linked::prepare).
     pub fn has_to_prepare(&self) -> bool {
         // Inputs from 05 on that were forced, and are no more, are still to be forgotten.
-        self.prepares || !cfg!(mega) && self.layout.memory.data.more_inputs != 0
+        #[cfg(not(mega))]
+        return self.prepares || self.layout.memory.data.more_inputs != 0;
+        #[cfg(mega)]
+        self.prepares
     }
 
     /// The input image as the input filter of the program has it (NC-18).
@@ -222,6 +225,7 @@ impl<'m> Linked<'m> {
     pub fn prepare(&mut self, inputs: Image, now: Millis) {
         let needs = self.needs();
         let data = &mut *self.layout.memory.data;
+        #[cfg(not(mega))]
         let bits = inputs.0 as u8;
         #[cfg(not(mega))]
         {
@@ -229,7 +233,8 @@ impl<'m> Linked<'m> {
         }
         #[cfg(mega)]
         {
-            data.more_inputs = bits & !Images::INPUTS;
+            let [first, second, third, _] = inputs.0.to_le_bytes();
+            data.more_inputs = [first, second, third];
             spread(inputs.0 >> POINTS, &mut data.inputs);
         }
         #[cfg(not(mega))]

@@ -319,7 +319,7 @@ engine_return:
 engine_return_not:
         brtc    1f
         rjmp    back
-1:      ret
+1:      end_scan
 
 ; A jump back has its cost behind its target, then its line, low bytes first.
 jump_back:
@@ -340,7 +340,7 @@ jump_back:
         ld      r21, X+
         sts     ENGINE_LINE+1, r21
         andi    r18, INPUTS
-        ret
+        end_scan
 
 more_page_end:
 

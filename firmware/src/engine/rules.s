@@ -30,6 +30,15 @@
         ijmp
 .endm
 
+; Ends the scan.
+.macro  end_scan
+        .if     WIDE
+        rjmp    scan_ends
+        .else
+        ret
+        .endif
+.endm
+
 ; `Data`, which stands behind the frame in the page.
         .equ    ENGINE, PAGE + PAGE_DATA
         .equ    ENGINE_ERROR, ENGINE + DATA_SYSTEM + 3
@@ -41,9 +50,10 @@
         .equ    MARKERS, ENGINE + DATA_MARKERS
         .equ    REGISTERS, ENGINE + DATA_REGISTERS
         .if     WIDE
-        .global INPUT_CELLS, OUTPUT_CELLS, MORE_INPUTS
+        .global INPUT_CELLS, OUTPUT_CELLS, MORE_INPUTS, ENGINE_STACK
         .equ    INPUT_CELLS, ENGINE + DATA_INPUTS
         .equ    OUTPUT_CELLS, ENGINE + DATA_OUTPUTS
         .equ    MORE_INPUTS, ENGINE + DATA_MORE_INPUTS
+        .equ    ENGINE_STACK, ENGINE + DATA_STACK
         .endif
 

@@ -10,8 +10,9 @@
 //! | outputs 09–16 | D49–D42 | PL0–PL7 |
 //! | card | D50–D53 | PB3 MISO, PB2 MOSI, PB1 SCK, PB0 CS |
 //! | LED L | D13 | PB7 |
-//! | serial | D0, D1 | USART0, timer 2 |
-//! | direction of RS-485, where it is set | D20 | PD1 |
+//! | serial, USB | D0, D1 | USART0, timer 2 |
+//! | serial, bus | D19, D18 | USART1, timer 0 |
+//! | direction of RS-485 on the bus, where it is set | D20 | PD1 |
 //! | STOP | D21 | PD0 |
 
 /// The head of the clock's interrupt, by the number that the chip gives it.
@@ -27,7 +28,7 @@ __vector_20:
     };
 }
 
-/// The same of the serial port's, and its direction of RS-485.
+/// The same of the serial port's; the direction of RS-485 is the bus's.
 macro_rules! interrupts {
     () => {
         "
@@ -47,6 +48,31 @@ __vector_26:
 __vector_27:
 .endm
 .macro  direction_low
+.endm
+"
+    };
+}
+
+/// The same of the bus.
+macro_rules! bus_interrupts {
+    () => {
+        "
+.macro  bus_interrupt_received
+        .global __vector_36
+        .type   __vector_36, @function
+__vector_36:
+.endm
+.macro  bus_interrupt_may_send
+        .global __vector_37
+        .type   __vector_37, @function
+__vector_37:
+.endm
+.macro  bus_interrupt_sent
+        .global __vector_38
+        .type   __vector_38, @function
+__vector_38:
+.endm
+.macro  bus_direction_low
         cbi     0x0B, 1         ; PORTD: the direction pin
 .endm
 "
@@ -67,6 +93,11 @@ pub mod pins;
 pub mod pwm;
 #[path = "../board/serial.rs"]
 pub mod serial;
+/// The second serial port, from the source of the first (`build.rs`).
+#[allow(dead_code, reason = "no text is sent to it")]
+pub mod bus {
+    include!(concat!(env!("OUT_DIR"), "/bus.rs"));
+}
 #[path = "../board/shared.rs"]
 mod shared;
 #[path = "../board/spi.rs"]
@@ -85,8 +116,10 @@ use unoclp_core::{Image, Millis};
 pub struct Board {
     /// Inputs, outputs, LED L and the card's select line.
     pub pins: pins::Pins,
-    /// The serial port.
+    /// The serial port of USB.
     pub serial: serial::Serial,
+    /// That of a bus.
+    pub bus: bus::Serial,
     /// The EEPROM.
     pub eeprom: eeprom::Eeprom,
     /// Analogue inputs and the supply voltage.
@@ -108,11 +141,12 @@ impl Board {
         stack::paint();
         let watchdog = watchdog::Watchdog::take(chip.WDT, &chip.CPU, clock::is_on(&chip.TC1));
         clock::start(&chip.TC1);
-        // SAFETY: the port of `pins`; the serial port changes one bit of it, in single instructions.
-        let direction = unsafe { PORTD::steal() };
+        // SAFETY: the port of `pins`; the serial ports change one bit of it, in single instructions.
+        let direction = || unsafe { PORTD::steal() };
         Board {
             pins,
-            serial: serial::Serial::new(chip.USART0, chip.TC2, direction),
+            serial: serial::Serial::new(chip.USART0, chip.TC2, direction()),
+            bus: bus::Serial::new(chip.USART1, chip.TC0, direction()),
             eeprom: eeprom::Eeprom::new(chip.EEPROM),
             analogue: analogue::Analogue::start(chip.ADC),
             watchdog,
@@ -174,9 +208,15 @@ impl Board {
         bus
     }
 
-    /// Begins again, as after a reset, once all has been sent.
+    /// Whether nothing is being received, handled or sent on either port.
+    #[inline(always)]
+    pub fn is_quiet(&self) -> bool {
+        self.serial.is_quiet() && self.bus.is_quiet()
+    }
+
+    /// Begins again, as after a reset, once all has been sent. What a line is hearing meanwhile would not end.
     pub fn restart(&self) -> ! {
-        while !self.serial.is_quiet() {}
+        while self.serial.is_sending() || self.bus.is_sending() {}
         self.watchdog.restart()
     }
 

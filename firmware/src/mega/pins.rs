@@ -21,6 +21,8 @@ const MISO: u8 = 1 << 3;
 const LED: u8 = 1 << 7;
 /// PD0, D21: to GND is STOP.
 const STOP: u8 = 1 << 0;
+/// PD2, D19: what comes over the bus, with a pull-up so that a port without one is quiet.
+const BUS: u8 = 1 << 2;
 /// Inputs 01 to 04.
 const FIRST: u32 = 0x0F;
 
@@ -85,7 +87,7 @@ impl Pins {
             pins.a.porta().write(|w| w.bits(u8::MAX));
             pins.k.portk().write(|w| w.bits(u8::MAX));
             pins.c.portc().write(|w| w.bits(u8::MAX));
-            pins.d.portd().write(|w| w.bits(STOP));
+            pins.d.portd().write(|w| w.bits(STOP | BUS));
             pins.b.portb().write(|w| w.bits(CS | MISO));
             pins.b.ddrb().write(|w| w.bits(CS | SCK | MOSI | LED));
             pins

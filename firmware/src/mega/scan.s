@@ -7,6 +7,9 @@
         push    r26
         push    r21
         push    r20
+        in      r18, 0x3d       ; SPL, as it is within the call of the program
+        subi    r18, 3
+        sts     ENGINE_STACK, r18
         movw    r30, r6
         ldd     r18, Z+{POINTS}
         cpi     r24, 1
@@ -70,9 +73,8 @@ scan_begin:
         cp      r24, r20
         breq    .Lscan_second
         std     Z+{PORTS}, r20
+        sts     MORE_INPUTS, r20
         mov     r24, r20
-        andi    r24, 0xF0
-        sts     MORE_INPUTS, r24
         sts     INPUT_CELLS+3, r24
         lsl     r24
         sts     INPUT_CELLS+2, r24
@@ -85,6 +87,7 @@ scan_begin:
         cp      r24, r21
         breq    .Lscan_third
         std     Z+{PORTS}+1, r21
+        sts     MORE_INPUTS+1, r21
         sts     INPUT_CELLS+11, r21
         lsl     r21
         sts     INPUT_CELLS+10, r21
@@ -105,6 +108,7 @@ scan_begin:
         cp      r24, r19
         breq    .Lscan_read
         std     Z+{PORTS}+2, r19
+        sts     MORE_INPUTS+2, r19
         sts     INPUT_CELLS+19, r19
         lsl     r19
         sts     INPUT_CELLS+18, r19
@@ -140,6 +144,7 @@ scan_begin:
         set
         ld      r30, X+
         icall
+        clr     r1              ; a byte that is no handler's may have led to a product
         movw    r30, r6
         std     Z+{POINTS}, r18
         ldd     r25, Z+{BEHIND}
@@ -207,6 +212,8 @@ scan_begin:
 
 .Lscan_written:
         lds     r24, PORT_AT
+        or      r24, r25
+        lds     r25, BUS_AT
         or      r24, r25
         brne    .Lscan_end
         sbic    0x09, 0         ; PIND: STOP

@@ -1,5 +1,7 @@
 //! What each address stands for: the tables of `docs/modbus.md`.
 
+#[cfg(mega)]
+use super::lines::Port;
 use super::upload::Upload;
 use crate::board::allowance::{LAST_PROGRAM, PROGRAMS_USED};
 use crate::board::flash::{self, Codes, flash_codes};
@@ -88,6 +90,9 @@ pub struct Map<'a, 'm, 'u> {
     pub upload: Option<&'a mut Upload<'u>>,
     /// The number of the block that ended the last upload, where its program was stored.
     pub ended: Option<u8>,
+    /// Which line has forced, and which of them asks.
+    #[cfg(mega)]
+    pub forced: (&'a mut Port, Port),
 }
 
 impl Map<'_, '_, '_> {
@@ -191,9 +196,12 @@ impl Map<'_, '_, '_> {
             }
         } else if number < number::SETTINGS {
             #[cfg(mega)]
-            self.operation
-                .forces
-                .set_word(number - number::FORCES, value);
+            {
+                let (forced, by) = &mut self.forced;
+                **forced = *by;
+                let forces = &mut self.operation.forces;
+                forces.set_word(number - number::FORCES, value);
+            }
             #[cfg(not(mega))]
             let forces = &mut self.operation.forces.0;
             #[cfg(not(mega))]

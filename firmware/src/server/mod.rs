@@ -3,8 +3,24 @@
 //! Owns the way of a request from the serial port and back (`docs/modbus.md`); must not know how bytes are
 //! moved, or what a program is. [`map`] says what an address stands for, [`upload`] takes a program.
 
+#[cfg(mega)]
+mod lines;
 mod map;
 mod upload;
+
+/// The line whose turn it is.
+#[cfg(not(mega))]
+macro_rules! line {
+    ($server:ident, $board:ident) => {
+        $board.serial
+    };
+}
+#[cfg(mega)]
+macro_rules! line {
+    ($server:ident, $board:ident) => {
+        $server.lines.now($board)
+    };
+}
 
 use crate::board::{Board, clock};
 use crate::engine::Data;
@@ -31,11 +47,15 @@ pub struct Server {
     settings: &'static mut Settings,
     /// See [`Map::ended`].
     ended: Option<u8>,
+    /// The two lines, of which each has its turn.
+    #[cfg(mega)]
+    lines: lines::Lines,
 }
 
 impl Server {
     /// A server with this memory for its frames, before the first scan.
     // Apart from who makes it, whose frame is large.
+    #[cfg(not(mega))]
     pub fn new(frame: &'static mut Frame, settings: &'static mut Settings) -> Server {
         Server {
             frame,
@@ -48,6 +68,7 @@ impl Server {
     }
 
     /// From now on the serial port serves.
+    #[cfg(not(mega))]
     pub fn start(&mut self, board: &Board) {
         board.serial.serve(&mut self.frame);
     }
@@ -56,7 +77,7 @@ impl Server {
     fn refuse(&mut self, board: &Board, exception: Exception) {
         self.fills = false;
         let length = refuse(self.frame, exception);
-        board.serial.send(self.frame, length);
+        line!(self, board).send(self.frame, length);
     }
 
     /// Does at most one thing: takes a request that has come, or does a slice of it, or answers. Where an
@@ -69,10 +90,12 @@ impl Server {
         memory: &mut Memory<'_>,
         upload: Option<&mut Upload<'_>>,
     ) {
+        #[cfg(mega)]
+        self.turn(board);
         let mut length = 0;
         if !self.fills {
             // Nearly always there is nothing to do.
-            let Some(received) = board.serial.received() else {
+            let Some(received) = line!(self, board).received() else {
                 return;
             };
             length = received;
@@ -85,6 +108,8 @@ impl Server {
             memory,
             upload,
             ended: self.ended,
+            #[cfg(mega)]
+            forced: self.lines.forced(),
         };
         let answered = if self.fills {
             self.exchange.fill(self.frame, &mut map)
@@ -99,7 +124,7 @@ impl Server {
         let Some(length) = answered else {
             return;
         };
-        board.serial.send(self.frame, length);
+        line!(self, board).send(self.frame, length);
         if operation.command == Some(Command::Restart) {
             board.restart();
         }

@@ -81,6 +81,11 @@ impl HostEngine {
         }
     }
 
+    /// Its PLC, to go through a scan of it; none where there is none.
+    pub fn with_plc<T>(&mut self, with: impl FnOnce(&mut Plc<'_>) -> T) -> Option<T> {
+        self.machine.as_mut().map(|machine| machine.with_plc(with))
+    }
+
     /// The program that was loaded; none before that, and where it was refused.
     pub fn machine(&self) -> Option<&Machine> {
         self.machine.as_ref()

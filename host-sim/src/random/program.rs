@@ -121,7 +121,7 @@ pub(super) fn resolve(
             (Kind::Jump, Some(number)) => {
                 let ahead = labels.iter().filter(|(place, _)| *place > at);
                 let mut choice: Vec<u8> = ahead.map(|(_, label)| *label).collect();
-                // Those that loop have named their own label, which stands before them.
+                // Those that loop have named their own label, which is before them.
                 let own = labels
                     .iter()
                     .any(|&(place, label)| place < at && label == number);
@@ -270,7 +270,7 @@ impl Draft<'_> {
         }
     }
 
-    /// Has acc follow an input again: after a few contacts in series it is 0 for ever.
+    /// Has acc follow an input again: after a few contacts in series it is 0 forever.
     fn enliven(&mut self) {
         let Some(input) = self.xx(Kind::Input) else {
             return;

@@ -51,5 +51,5 @@ const BLANK_LINES: &[&str] = &[
     "  / partida do motor: ação",
 ];
 
-/// What may stand between a code and the end of its line.
+/// What may be between a code and the end of its line.
 const AFTER_CODES: &[&str] = &[" ", "\t ", "/", " / 827301", "\t// I1 \u{2192} Q1"];

@@ -1,4 +1,4 @@
-//! A row of a table of variables, changed in the file; all else of the file stays as it is, to the byte.
+//! A row of a table of variables, changed in the file; everything else in the file stays the same, byte for byte.
 
 use crate::export::escaped;
 use crate::found::Found;
@@ -91,7 +91,7 @@ pub(crate) fn kind_written(kind: &str) -> String {
     }
 }
 
-/// Whether a type is of the norm, and has an element of its name.
+/// Whether a type is of the standard, and has an element of its name.
 fn is_elementary(kind: &str) -> bool {
     let kind = kind.to_uppercase();
     unoclp_lang::typed::Base::named(&kind).is_some() || matches!(&*kind, "STRING" | "WSTRING")

@@ -1,4 +1,4 @@
-//! Contacts of several outputs, which each of them reads anew, as in OpenPLC: one output may have changed what the next reads.
+//! Contacts of several outputs, which each output reads again, as in OpenPLC: one output may have changed what the next reads.
 //!
 //! Owns whether a contact that is read once for two outputs says the same as read for each. Must not know how circuits become
 //! one. What a block gives is computed once there too.

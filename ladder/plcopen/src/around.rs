@@ -1,4 +1,4 @@
-//! What stands around the rungs of a project: its first scan, and the numbers of its timers.
+//! What is around the rungs of a project: its first scan, and the numbers of its timers.
 
 use crate::allot::Allotted;
 use crate::circuit::{Leaf, Part};

@@ -115,7 +115,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         Some(followed(Circuit::new(), Leaf::of((at, 500), parts)))
     }
 
-    /// Whether EN hangs on nothing, which is told otherwise.
+    /// Whether EN hangs on nothing, which is reported otherwise.
     pub(crate) fn unconditional(&mut self, at: usize) -> Option<()> {
         if self.enabled(at)?.is_empty() {
             return Some(());

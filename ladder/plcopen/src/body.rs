@@ -1,4 +1,4 @@
-//! Projects that are compiled as a text: in Instruction List, or in Structured Text with drawn bodies beside it.
+//! Projects that are compiled as a text: in Instruction List alone, or in Structured Text with all other bodies beside it.
 
 use crate::found::{Found, span};
 use crate::imported::Imported;
@@ -7,12 +7,12 @@ use crate::sfc;
 use crate::st::{self, Units};
 use crate::text::Text;
 use crate::types::{Types, kind};
-use crate::xml::{first, text};
+use crate::xml::first;
 use std::collections::{HashSet, VecDeque};
 use unoclp_core::Board;
 use unoclp_lang::{Code, Span, TextLanguage, Word, compile_text};
 
-/// Compiles a project, whose bodies are all in Instruction List, or in none of them.
+/// Compiles a project as a text in this language; one in Instruction List that calls other bodies, as Structured Text.
 pub(crate) fn compile(
     xml: &str,
     project: &Project<'_, '_>,
@@ -21,7 +21,7 @@ pub(crate) fn compile(
     found: &mut Found,
     imported: &mut Imported,
 ) {
-    let mut written = write(xml, project, language, found);
+    let (mut written, language) = write(xml, project, language, found);
     written.unqualified(&project.lists);
     if found.has_errors() {
         return;
@@ -46,12 +46,18 @@ pub(crate) fn compile(
 
 /// The text of a project in Structured Text, as far as its bodies can be read.
 pub(crate) fn as_text(xml: &str, project: &Project<'_, '_>, found: &mut Found) -> String {
-    write(xml, project, TextLanguage::St, found).text
+    write(xml, project, TextLanguage::St, found).0.text
 }
 
-/// The text of a project. Functions and blocks that are drawn, or in a language that is not imported, count where
+/// The text of a project, and the language that it is in. Functions and blocks that are drawn, or in a language that is not
+/// imported, count where
 /// something uses them.
-fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &mut Found) -> Text {
+fn write(
+    xml: &str,
+    project: &Project<'_, '_>,
+    language: TextLanguage,
+    found: &mut Found,
+) -> (Text, TextLanguage) {
     let mut written = Text::default();
     let types = Types::of(&project.types);
     types.write(&mut written);
@@ -96,23 +102,20 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
                 });
                 None
             }
-            Some(("IL", body)) if own == "ST" => match sfc::statements(&text(body)) {
-                Ok(statements) => {
-                    let at = span(body);
-                    write_pou(&mut written, pou, &[], found, |to| {
-                        for statement in statements {
-                            to.piece(&format!("{statement};\n"), at);
-                        }
-                    });
-                    None
-                }
-                Err(_) => {
-                    refuse(pou, "IL", own, found);
-                    None
-                }
-            },
+            Some(("IL", body)) if own == "ST" => {
+                let list = st::list::write(xml, pou, body, &project.globals, found);
+                write_pou(&mut written, pou, &list.variables, found, |to| {
+                    for (piece, from) in &list.pieces {
+                        to.piece(piece, *from);
+                    }
+                });
+                None
+            }
+            Some(("LD" | "FBD" | "SFC" | "ST", _)) => {
+                return write(xml, project, TextLanguage::St, found);
+            }
             other => {
-                refuse(pou, other.map_or("?", |(language, _)| language), own, found);
+                refuse(pou, other.map_or("?", |(language, _)| language), found);
                 None
             }
         };
@@ -129,20 +132,12 @@ fn write(xml: &str, project: &Project<'_, '_>, language: TextLanguage, found: &m
             }
         }
     }
-    written
+    (written, language)
 }
 
 /// Tells that a body cannot be imported, and what it is.
-pub(crate) fn refuse(pou: &Pou<'_, '_>, language: &str, others: &str, found: &mut Found) {
+pub(crate) fn refuse(pou: &Pou<'_, '_>, language: &str, found: &mut Found) {
     let (what, help): (Word, Word) = match language {
-        "IL" | "ST" | "LD" | "FBD" | "SFC" => (
-            (
-                format!("in {language}, but the project is in {others}"),
-                format!("em {language}, mas o projeto está em {others}"),
-            )
-                .into(),
-            ("write it in ST", "escreva-o em ST").into(),
-        ),
         "?" => (
             ("missing", "vazio").into(),
             (

@@ -1,4 +1,4 @@
-//! A document of a project as a board checks it, and where its steps stand in the XML.
+//! A document of a project as a board checks it, and where its steps are in the XML.
 
 use crate::found::Found;
 use std::collections::HashMap;
@@ -11,7 +11,7 @@ use unoclp_draw::edit::{Document, Id, visit};
 use unoclp_lang::{Code, Lang, Lines, Span, lacking};
 use unoclp_point::Address;
 
-/// Where what stands in a document came from.
+/// Where what is in a document came from.
 pub(crate) struct Origins<'t> {
     /// The XML.
     pub text: &'t str,
@@ -26,7 +26,7 @@ impl Origins<'_> {
         self.origins.get(&id).copied().unwrap_or_default()
     }
 
-    /// The numeric code of a document, checked for this board; none where something is wrong, which is told.
+    /// The numeric code of a document, checked for this board; none, with a message, where something is wrong.
     pub(crate) fn check(
         &self,
         document: &Document,

@@ -1,4 +1,4 @@
-//! What stands in series and in parallel on the way of the power to an output.
+//! What is in series and in parallel on the path of the power to an output.
 
 use unoclp_draw::edit::{Gate, Step};
 
@@ -17,7 +17,7 @@ pub(crate) enum Item {
         ways: Vec<Circuit>,
         ends: bool,
     },
-    /// A way of its own from the left rail, whose result meets what stands before it.
+    /// A way of its own from the left rail, whose result meets what is before it.
     Gate(Key, Gate, Circuit),
 }
 
@@ -28,7 +28,7 @@ pub(crate) struct Leaf {
     pub parts: Vec<Part>,
     /// Whether it is an output, which leaves the power as it is.
     pub is_output: bool,
-    /// Whether it may stand in a program once only.
+    /// Whether it may be in a program once only.
     pub is_once: bool,
 }
 
@@ -148,7 +148,7 @@ pub(crate) fn heads(circuit: &[Item], to: &mut impl FnMut(usize)) {
     }
 }
 
-/// Ways that come together: what they begin with in common stands once, before the others.
+/// Ways that come together: what they begin with in common appears once, before the others.
 pub(crate) fn together(mut ways: Vec<Circuit>) -> Circuit {
     let common = common(&ways);
     let mut circuit = match ways.first() {

@@ -1,6 +1,6 @@
 //! Texts without their comments.
 
-/// A text without what stands between `(*` and `*)`.
+/// A text without what is between `(*` and `*)`.
 pub(crate) fn without(text: &str) -> String {
     let mut said = String::with_capacity(text.len());
     let mut rest = text;

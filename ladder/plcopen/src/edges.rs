@@ -65,7 +65,7 @@ pub(crate) fn lead<'t>(text: &'t str, node: Node<'_, '_>) -> &'t str {
 
 /// An element more in this one, after the others.
 pub(crate) fn append(text: &str, node: Node<'_, '_>, new: &str) -> Option<(Range<usize>, String)> {
-    match node.children().filter(Node::is_element).next_back() {
+    match node.children().rfind(Node::is_element) {
         Some(last) => {
             let at = last.range().end;
             Some((at..at, format!("{}{new}", lead(text, last))))

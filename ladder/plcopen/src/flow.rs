@@ -1,4 +1,4 @@
-//! The way of the power through a network: from the left rail to each output.
+//! The power flow through a network: from the left rail to each output.
 
 use crate::allot::Allotted;
 use crate::circuit::{Circuit, Item, Leaf, followed, size};
@@ -31,7 +31,7 @@ pub(crate) struct Flow<'f, 'a, 'x> {
     pub found: &'f mut Found,
     /// Which of the project's programs it is.
     pub pou: usize,
-    /// What has to stand before the circuit that asks for it.
+    /// What has to be before the circuit that asks for it.
     pub before: Vec<(usize, Circuit)>,
     /// Which element calls the instance of a block.
     pub called: HashMap<String, usize>,
@@ -67,7 +67,7 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
         }
     }
 
-    /// The circuit that ends in this output; none where something is wrong, which is told.
+    /// The circuit that ends in this output; none, with a message, where something is wrong.
     pub(crate) fn output(&mut self, element: usize) -> Option<Circuit> {
         let drawn = &self.network.elements[element];
         match drawn.kind {

@@ -1,4 +1,4 @@
-//! What has been found wrong, each at its place in the file.
+//! The mistakes that were found, each at its place in the file.
 
 use roxmltree::Node;
 use unoclp_lang::{Code, Diagnostic, Severity, Span, Told, Word};

@@ -1,15 +1,15 @@
-//! What has come of a project.
+//! The result of importing a project.
 
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_draw::edit::Document;
 use unoclp_lang::{Told, Trace, Variable};
 
-/// What has come of a project.
+/// The result of importing a project.
 #[derive(Debug)]
 pub struct Imported {
     /// The same as numeric code, with comments; none where there are errors.
     pub code: Option<String>,
-    /// The checked program, and where its steps stand in the XML.
+    /// The checked program, and where its steps are in the XML.
     pub program: Option<(Checked, SourceMap)>,
     /// The document of a project of ladder diagrams.
     pub document: Option<Document>,

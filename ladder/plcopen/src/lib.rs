@@ -8,14 +8,15 @@
 //! - `bounds`: what a text may hold; `xml`: text → tree; `project`: POUs, variables, what runs and in which order
 //! - `network`: the elements of a ladder body, and the wires between them; `numbered`: its rungs, as a person counts them
 //! - `symbol`: what a variable can be; `points`, `allot`: which point of the board it gets; `scope`: what a name means in a POU
-//! - `circuit`: what stands in series and in parallel; `ways`: wires followed to the left rail; `flow`: the way of the power to each output
-//! - `contacts`, `blocks`, `instances`, `values`: what stands on that way
+//! - `circuit`: what is in series and in parallel; `ways`: wires followed to the left rail; `flow`: the way of the power to each output
+//! - `contacts`, `blocks`, `instances`, `values`: what is on that way
 //! - `pins`, `unused`: wires that lead nowhere, and what they come from
 //! - `outputs`: the circuits of a network; `effects`: which of them may change places; `anew`: contacts that each output reads for itself; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
 //! - `outline`: its units and their variables, as a tree; `alter`, `rows`: one of these changed in the file, put into it, taken away
 //! - `shown`: the body of a unit as its file lays it out; `bodies`: changed in the file; `edges`: bytes of it, and no others
+//! - `whole`: all of it as one text, for who looks for a name
 //! - `adapt`: points that another PLC has, on this board; `comments`: texts without them
-//! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces stand in the file; `types`: types
+//! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces are in the file; `types`: types
 //!   as it spells them; `st`: ladder bodies as statements, where no document holds them; `sfc`: charts
 //!
 //! The way out ([`export()`]): `export`.
@@ -65,6 +66,7 @@ mod types;
 mod unused;
 mod values;
 mod ways;
+mod whole;
 mod xml;
 
 pub use adapt::adapt;
@@ -76,6 +78,7 @@ pub use outline::{Outline, Row, Unit, outline};
 pub use program::import;
 pub use rows::{add, remove, retain};
 pub use shown::{Piece, Shown, shown};
+pub use whole::Whole;
 
 /// Whether a text is such a project, by its first words.
 pub fn is_project(text: &str) -> bool {

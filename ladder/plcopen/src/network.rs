@@ -7,7 +7,7 @@ use roxmltree::Node;
 use std::collections::HashMap;
 use unoclp_lang::{Code, Diagnostic, Word};
 
-/// More elements than this stand in no series.
+/// More elements than this are in no series.
 pub(crate) const DEEPEST: usize = 200;
 
 /// A ladder body.
@@ -97,7 +97,7 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
             continued: HashMap::new(),
         };
         let nodes: Vec<Node<'_, '_>> = body.children().filter(Node::is_element).collect();
-        // What is wrong is told once it is known in which rung it stands.
+        // What is wrong is reported once it is known in which rung it stands.
         let mut wrong = Vec::new();
         for (index, node) in nodes.iter().enumerate() {
             let Some(local) = node.attribute("localId") else {
@@ -186,7 +186,7 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
         let (en, pt) = self.name(at);
         let word = Word::from((
             format!("{en}: more elements than fit in a rung"),
-            format!("{pt}: mais elementos do que cabem em uma linha"),
+            format!("{pt}: mais elementos do que cabem em um degrau"),
         ));
         found.tell_at(Code::XmlTooLarge, span(self.elements[at].node), [word]);
     }
@@ -229,7 +229,7 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
             ),
             Some(rung) => (
                 format!("`{pou}`, rung {rung}, {en}"),
-                format!("`{pou}`, linha {rung}, {pt}"),
+                format!("`{pou}`, degrau {rung}, {pt}"),
             ),
             None => (format!("`{pou}`, {en}"), format!("`{pou}`, {pt}")),
         }

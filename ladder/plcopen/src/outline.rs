@@ -58,7 +58,7 @@ pub struct Row {
     pub constant: bool,
     /// What it is for.
     pub comment: String,
-    /// Where it stands in the file.
+    /// Where it is in the file.
     pub at: Span,
 }
 

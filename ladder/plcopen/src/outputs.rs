@@ -1,4 +1,4 @@
-//! The circuits of a network, one for each output: what they have in common stands once.
+//! The circuits of a network, one for each output: what they have in common appears once.
 
 use crate::anew::reads_anew;
 use crate::circuit::{Circuit, below, heads, leaves, size, within};
@@ -49,7 +49,7 @@ struct Made {
     effects: Vec<Effects>,
     /// Those that begin with an element.
     by_head: HashMap<usize, Vec<usize>>,
-    /// What is drawn after a label or a jump stands after it: in no circuit before this one, and where that has the
+    /// What is drawn after a label or a jump is after it: in no circuit before this one, and where that has the
     /// jump, after that.
     since: usize,
     jump: Option<usize>,
@@ -88,7 +88,7 @@ impl Made {
         self.circuits.push(circuit);
     }
 
-    /// Adds the circuit of an output, to one that begins alike where it may stand there.
+    /// Adds the circuit of an output, to one that begins alike where it may be there.
     fn add(
         &mut self,
         mut circuit: Circuit,
@@ -193,7 +193,7 @@ fn labels(network: &Network<'_, '_>) -> Vec<i64> {
     heights
 }
 
-/// What remembers something stands once in a program.
+/// What remembers something appears once in a program.
 fn once(network: &Network<'_, '_>, circuits: &[Circuit], flow: &mut Flow<'_, '_, '_>) {
     let mut seen = HashSet::new();
     let mut twice = Vec::new();

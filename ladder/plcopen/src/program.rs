@@ -133,38 +133,31 @@ enum Way {
     Text(TextLanguage),
 }
 
-/// How a project is compiled; none where one of its programs cannot be, which is told.
+/// How a project is compiled; none where one of its programs cannot be, which is reported.
 fn way(project: &Project<'_, '_>, found: &mut Found) -> Option<Way> {
     let mut languages = Vec::new();
     for pou in &project.programs {
         let own = pou.body.map_or("?", |(language, _)| language);
         if all(pou.node, "body").nth(1).is_some() {
-            body::refuse(pou, "", "", found);
+            body::refuse(pou, "", found);
         } else if !matches!(own, "LD" | "FBD" | "ST" | "IL" | "SFC") {
-            body::refuse(pou, own, "", found);
+            body::refuse(pou, own, found);
         } else {
             languages.push((own, pou));
         }
     }
-    let Some((own, first)) = languages.first() else {
+    if languages.is_empty() {
         let is_library = project.programs.is_empty();
         return is_library.then_some(Way::Text(TextLanguage::St));
-    };
-    if let Some((other, pou)) = languages
-        .iter()
-        .find(|(l, _)| (*l == "IL") != (*own == "IL"))
-    {
-        let words = [&*first.name, own, &*pou.name, other].map(Into::into);
-        found.tell(Code::XmlMixed, pou.node, words);
     }
     if found.has_errors() {
         return None;
     }
-    let is_drawn = languages.iter().all(|(language, _)| *language == "LD");
-    Some(match *own {
-        "IL" => Way::Text(TextLanguage::Il),
-        _ if is_drawn && !languages.iter().any(|(_, pou)| has_others(pou)) => Way::Ladder,
-        _ => Way::Text(TextLanguage::St),
+    let are_all = |language| languages.iter().all(|(own, _)| *own == language);
+    Some(match () {
+        () if are_all("IL") => Way::Text(TextLanguage::Il),
+        () if are_all("LD") && !languages.iter().any(|(_, pou)| has_others(pou)) => Way::Ladder,
+        () => Way::Text(TextLanguage::St),
     })
 }
 

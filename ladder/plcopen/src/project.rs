@@ -174,7 +174,7 @@ fn globals(root: Node<'_, '_>) -> Vec<Variable> {
     within(root, "globalVars").flat_map(variables).collect()
 }
 
-fn lists(root: Node<'_, '_>) -> HashMap<String, HashSet<String>> {
+pub(crate) fn lists(root: Node<'_, '_>) -> HashMap<String, HashSet<String>> {
     let sections = within(root, "globalVars");
     let named = sections.filter_map(|section| Some((section.attribute("name")?, section)));
     let upper = |section| {

@@ -25,10 +25,10 @@ pub fn add(
         kind_written(kind)
     );
     let is_plain = |of: &Node<'_, '_>| !says(*of, "retain") && !says(*of, "constant");
-    let own = sections(root, unit)?
+    let mut own = sections(root, unit)?
         .into_iter()
         .filter(|of| of.is_element() && of.tag_name().name() == section);
-    let piece = match (own.filter(is_plain).next_back(), unit) {
+    let piece = match (own.rfind(is_plain), unit) {
         (Some(section), _) => append(text, section, &new)?,
         (None, Some(unit)) => {
             let pou = within(root, "pou").find(|pou| is_named(*pou, unit))?;

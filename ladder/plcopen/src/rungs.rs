@@ -12,7 +12,7 @@ use unoclp_lang::Span;
 #[derive(Default)]
 pub(crate) struct Rungs {
     pub rungs: Vec<Rung>,
-    /// Where what an id names stands in the file, and in which program.
+    /// Where what an id names is in the file, and in which program.
     pub origins: HashMap<Id, (Span, usize)>,
     /// Which timer an element is, by the order in which they were met.
     pub timers: HashMap<Id, u8>,

@@ -21,7 +21,7 @@ impl Scope {
         }
     }
 
-    /// What is written at an element, which is called so and stands there; none where that is told to be wrong.
+    /// What is written at an element, which is called so and is there; none where that is told to be wrong.
     pub(crate) fn meaning(
         &mut self,
         written: &str,

@@ -1,12 +1,13 @@
-//! A text that is made of pieces of a file, and where each of them stands there.
+//! A text that is made of pieces of a file, and the place of each of them in the file.
 
 use crate::found::span;
 use roxmltree::Node;
 use std::collections::{HashMap, HashSet};
+use std::ops::Range;
 use unoclp_checked::SourceMap;
 use unoclp_lang::{Diagnostic, Lines, Span, Trace};
 
-/// A text, and where its pieces stand in the XML.
+/// A text, and where its pieces are in the XML.
 #[derive(Default)]
 pub(crate) struct Text {
     pub text: String,
@@ -38,6 +39,51 @@ impl Text {
     pub(crate) fn piece(&mut self, text: &str, from: Span) {
         self.pieces.push((self.text.len() as u32, from, false));
         self.text.push_str(text);
+    }
+
+    /// What stands in this part of the file, without its tags and comments. All keeps its place but the characters that
+    /// XML has to spell, `&lt;`.
+    pub(crate) fn copy(&mut self, xml: &str, range: Range<usize>) {
+        let mut at = range.start;
+        while let Some(rest) = xml.get(at..range.end).filter(|rest| !rest.is_empty()) {
+            let after = |end: &str| rest.find(end).map_or(rest.len(), |at| at + end.len());
+            if let Some(plain) = rest.strip_prefix(CDATA) {
+                let length = plain.find("]]>").unwrap_or(plain.len());
+                self.alike(xml, at + CDATA.len()..at + CDATA.len() + length);
+                at += after("]]>");
+            } else if rest.starts_with("<!--") {
+                at += after("-->");
+            } else if rest.starts_with('<') {
+                at += after(">");
+            } else if rest.starts_with('&') {
+                let length = after(";");
+                let span = Span {
+                    start: at as u32,
+                    end: (at + length) as u32,
+                };
+                self.piece(entity(&rest[..length]).unwrap_or(" "), span);
+                at += length;
+            } else {
+                let length = rest.find(['<', '&']).unwrap_or(rest.len());
+                self.alike(xml, at..at + length);
+                at += length;
+            }
+        }
+    }
+
+    fn alike(&mut self, xml: &str, range: Range<usize>) {
+        let span = Span {
+            start: range.start as u32,
+            end: range.end as u32,
+        };
+        self.pieces.push((self.text.len() as u32, span, true));
+        self.text.push_str(xml.get(range).unwrap_or_default());
+    }
+
+    /// What stands in the file as it does here: where there, and its first byte here.
+    pub(crate) fn copied(&self) -> Vec<(Span, u32)> {
+        let copied = self.pieces.iter().filter(|(_, _, is_alike)| *is_alike);
+        copied.map(|(first, from, _)| (*from, *first)).collect()
     }
 
     /// A text after this one.
@@ -73,8 +119,8 @@ impl Text {
         self.text = plain;
     }
 
-    /// Where a byte of the text stands in the XML.
-    fn place(&self, byte: u32) -> (u32, bool, Span) {
+    /// Where a byte of the text is in the XML.
+    pub(crate) fn place(&self, byte: u32) -> (u32, bool, Span) {
         let behind = self.pieces.partition_point(|(first, ..)| *first <= byte);
         let piece = behind.checked_sub(1).and_then(|at| self.pieces.get(at));
         match piece {
@@ -86,16 +132,19 @@ impl Text {
 
     /// A diagnostic of the text as one of the XML.
     pub(crate) fn moved(&self, diagnostic: &Diagnostic) -> Diagnostic {
-        let (start, is_alike, from) = self.place(diagnostic.span.start);
-        let length = diagnostic.span.end - diagnostic.span.start;
-        let span = match is_alike {
+        diagnostic.at(self.span(diagnostic.span))
+    }
+
+    /// Where a part of the text stands in the XML.
+    pub(crate) fn span(&self, own: Span) -> Span {
+        let (start, is_alike, from) = self.place(own.start);
+        match is_alike {
             true => Span {
                 start,
-                end: (start + length).min(from.end),
+                end: (start + own.end - own.start).min(from.end),
             },
             false => from,
-        };
-        diagnostic.at(span)
+        }
     }
 
     /// The byte of this line and column of the text.
@@ -130,4 +179,19 @@ impl Text {
         }
         map
     }
+}
+
+const CDATA: &str = "<![CDATA[";
+
+/// What the form spells, where a program may say it: no name has any.
+fn entity(spelled: &str) -> Option<&'static str> {
+    Some(match spelled {
+        "&lt;" => "<",
+        "&gt;" => ">",
+        "&amp;" => "&",
+        "&quot;" => "\"",
+        "&apos;" => "'",
+        "&#10;" | "&#xA;" | "&#xa;" => "\n",
+        _ => return None,
+    })
 }

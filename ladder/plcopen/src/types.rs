@@ -8,7 +8,7 @@ use crate::xml::{all, first, text};
 use roxmltree::Node;
 use std::collections::HashMap;
 
-/// What the type within this element is called: in capitals where the norm has it.
+/// What the type within this element is called: in capitals where the standard has it.
 pub(crate) fn kind(of: Node<'_, '_>) -> String {
     match of.children().find(Node::is_element) {
         Some(kind) => spelled(kind),

@@ -1,4 +1,4 @@
-//! What of a network does nothing: it leads to no output, or nothing leads to it.
+//! Parts of a network that do nothing: they lead to no output, or nothing leads to them.
 
 use crate::found::Found;
 use crate::network::{Element, Network};

@@ -1,4 +1,4 @@
-//! The ways of the power through a network, from where a wire ends to the left rail.
+//! The paths of the power through a network, from where a wire ends to the left rail.
 //!
 //! Owns how wires are followed: each once, in no circle, not too deep, and no more of them than a board could hold. Must not
 //! know what an element becomes there: instructions (`flow`) or words of a text (`st`).
@@ -43,7 +43,7 @@ pub(crate) trait Ways<'n, 'a: 'n, 'x: 'a> {
         None
     }
 
-    /// The way to the right side of a contact; none where something is wrong, which is told.
+    /// The way to the right side of a contact; none, with a message, where something is wrong.
     fn at_contact(&mut self, at: usize) -> Option<Circuit>;
 
     /// That of a coil.
@@ -142,7 +142,7 @@ pub(crate) trait Ways<'n, 'a: 'n, 'x: 'a> {
         self.walk().open.pop();
     }
 
-    /// Counts parts that are looked at for an element; none where they are too many, which is told.
+    /// Counts parts that are looked at for an element; none where they are too many, which is reported.
     fn spend(&mut self, at: usize, parts: usize) -> Option<()> {
         let walk = self.walk();
         walk.work = walk.work.saturating_add(parts);

@@ -48,7 +48,7 @@ pub(crate) fn all<'a, 'x>(
         .filter(move |child| child.is_element() && child.tag_name().name() == name)
 }
 
-/// The elements with this name, however deep they stand in one: CODESYS keeps those of an application beside its tasks.
+/// The elements with this name, however deep they are in one: CODESYS keeps those of an application beside its tasks.
 pub(crate) fn within<'a, 'x: 'a>(
     of: Node<'a, 'x>,
     name: &'static str,

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::ops::Range;
 use unoclp_chart::Qualifier;
 use unoclp_lang::Span;
-use unoclp_lang::outline::{self, Unit, Written};
+use unoclp_lang::parts::{self, Unit, Written};
 
 /// A chart of a text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -107,11 +107,11 @@ pub(crate) fn same(one: &str, other: &str) -> bool {
 impl Document {
     /// The charts of a text in Structured Text, in its order.
     pub fn all(text: &str) -> Vec<Document> {
-        if !outline::may_hold_chart(text) {
+        if !parts::may_hold_chart(text) {
             return Vec::new();
         }
-        let outline = outline::outline(text);
-        let charts = outline.units.iter();
+        let parts = parts::parts(text);
+        let charts = parts.units.iter();
         charts.filter_map(|unit| Document::of(text, unit)).collect()
     }
 

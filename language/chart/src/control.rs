@@ -1,4 +1,4 @@
-//! When an action is done, as the norm's ACTION_CONTROL says (2.6.4.5).
+//! When an action is done, as the standard's ACTION_CONTROL says (2.6.4.5).
 //!
 //! Owns what each qualifier means. Must not know what an action does.
 

@@ -112,7 +112,7 @@ pub enum Qualifier {
 }
 
 impl Qualifier {
-    /// All of them, in the order of the norm's table.
+    /// All of them, in the order of the standard's table.
     pub const ALL: [Qualifier; 11] = {
         use Qualifier::*;
         [N, R, S, L, D, P, SD, DS, SL, P1, P0]

@@ -88,7 +88,7 @@ pub(crate) fn puts(condition: Expr, place: &Place, is: bool, at: Span) -> Stmt {
     when(condition, vec![stores], at)
 }
 
-/// A call of a block of the norm, whose cells stand there; the inputs by their numbers.
+/// A call of a block of the standard, whose cells stand there; the inputs by their numbers.
 pub(crate) fn call(
     block: Standard,
     instance: &Place,

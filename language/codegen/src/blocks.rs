@@ -1,4 +1,4 @@
-//! The function blocks of the norm by the board's own instructions.
+//! The function blocks of the standard by the board's own instructions.
 //!
 //! Owns which instructions a block becomes and which of its members need a place. Must not know other statements.
 

@@ -129,7 +129,7 @@ fn lacking_function(function: Extra, at: Span, found: &mut Found) {
     let instead = match is_text {
         true => instead(Base::Str),
         false => (
-            "it runs on a PC alone, with unoclp run; on the board use a table of values or a straight line between two points",
+            "it runs only on a PC, with unoclp run; on the board use a table of values or a straight line between two points",
             "só roda no PC, com unoclp run; na placa, use uma tabela de valores ou uma reta entre dois pontos",
         ),
     };
@@ -139,10 +139,10 @@ fn lacking_function(function: Extra, at: Span, found: &mut Found) {
 /// What to take in place of a type that the board lacks.
 fn instead(base: Base) -> (&'static str, &'static str) {
     match base {
-        Base::Lreal => ("take REAL", "use REAL"),
-        Base::Lint => ("take DINT", "use DINT"),
-        Base::Ulint => ("take UDINT", "use UDINT"),
-        Base::Lword => ("take DWORD", "use DWORD"),
+        Base::Lreal => ("use REAL", "use REAL"),
+        Base::Lint => ("use DINT", "use DINT"),
+        Base::Ulint => ("use UDINT", "use UDINT"),
+        Base::Lword => ("use DWORD", "use DWORD"),
         _ => (
             "show numbers in place of texts, for example an enumeration",
             "mostre números em vez de textos, por exemplo uma enumeração",

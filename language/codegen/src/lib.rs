@@ -21,7 +21,7 @@
 //! - `prepare`: what no instruction does in one piece, by `keep`, `subscripts`, `conversions`, `selection`, `arithmetic`,
 //!   `shifts`
 //! - `logic`, `bits`, `compare`, `numbers`: what is left of an expression
-//! - `coder`, `statements`, `assign`, `copy`, `choice`, `case`: statements; `blocks`: the blocks of the norm; `counters`:
+//! - `coder`, `statements`, `assign`, `copy`, `choice`, `case`: statements; `blocks`: the blocks of the standard; `counters`:
 //!   those of the board that count, and what is done to counters and timers beside their calls
 //! - `codes`, `verbatim`: instructions that the text says by their codes
 //! - `pen`: what acc and value hold; `variables`, `noting`, `traces`: what is shown of it while it runs

@@ -107,7 +107,7 @@ fn as_stored(value: Expr, base: Base) -> Expr {
     expr(ExprKind::Convert(how, Box::new(value)), base, at)
 }
 
-/// Gives each block of the norm the inputs that are stored right before its calls and read by nothing else.
+/// Gives each block of the standard the inputs that are stored right before its calls and read by nothing else.
 pub(super) fn gather(flat: &mut Flat) {
     let uses = Uses::of(flat);
     let mut near = HashMap::new();

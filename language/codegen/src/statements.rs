@@ -39,8 +39,8 @@ impl Coder<'_, '_> {
             if self.seats.none_left && !self.found.has_errors() {
                 let words = ("register or marker", "registrador ou memória");
                 let what = (
-                    "what this statement puts aside",
-                    "o que este comando guarda no meio",
+                    "an intermediate value of this statement",
+                    "um valor intermediário deste comando",
                 );
                 let words = [words.into(), "98".into(), what.into()];
                 self.found.tell(Code::BoardNoneLeft, step.at, words);

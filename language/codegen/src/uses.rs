@@ -29,7 +29,7 @@ pub(super) struct Use {
     pub only: Option<Value>,
 }
 
-/// The calls of a block of the norm; none of a counter that is only told to count from another number.
+/// The calls of a block of the standard; none of a counter that is only told to count from another number.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Called {
     pub block: Standard,

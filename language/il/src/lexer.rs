@@ -49,7 +49,7 @@ pub(crate) struct Token {
     pub span: Span,
 }
 
-/// Words that begin declarations, by the norm; not all of them can be compiled.
+/// Words that begin declarations, by the standard; not all of them can be compiled.
 pub(crate) const SECTIONS: [&str; 9] = [
     "VAR",
     "VAR_TEMP",

@@ -1,4 +1,4 @@
-//! Instruction List: from a text to the typed tree, in the norm's words and in those of the makers.
+//! Instruction List: from a text to the typed tree, in the standard's words and in those of the makers.
 //!
 //! The way of a text: `lexer` (bytes → words), `parser` (words → `ast`), `names` (what names mean), `check` (what each
 //! line does, to the typed tree).

@@ -1,4 +1,4 @@
-//! The operators and their spellings: those of the norm, of its common extensions, and of the makers.
+//! The operators and their spellings: those of the standard, of its common extensions, and of the makers.
 
 use crate::lexer::SECTIONS;
 use crate::words::operator;

@@ -32,12 +32,12 @@ pub(crate) fn check(text: &str, units: &[Unit], writes: bool, found: &mut Found)
     } else if !acts(program) {
         let missing: (&str, &str) = match (others, program.vars.as_slice()) {
             ([], []) => (
-                "the text holds no instruction",
+                "the text has no instruction",
                 "o texto não tem nenhuma instrução",
             ),
             ([], _) => (
-                "the declarations are there, but no instruction",
-                "as declarações estão aí, mas nenhuma instrução",
+                "it has declarations, but no instruction",
+                "há declarações, mas nenhuma instrução",
             ),
             _ => (
                 "functions and function blocks do nothing until a program calls them",

@@ -86,8 +86,8 @@ impl Parser<'_, '_> {
             return Ok(());
         }
         let help = (
-            "a value is stored so: x := 1",
-            "um valor se guarda assim: x := 1",
+            "store a value like this: x := 1",
+            "guarde um valor assim: x := 1",
         );
         self.cursor.expect(Sign::Assign, ":=", help).map(|_| ())
     }

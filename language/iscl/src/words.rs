@@ -192,11 +192,11 @@ pub(super) fn lacking(word: &str) -> Option<(&'static str, &'static str)> {
             "deixe que a condição do WHILE encerre o laço",
         ),
         "RETURN" => (
-            "put what is not to run into an IF",
+            "put what should not run into an IF",
             "ponha em um IF o que não deve ser executado",
         ),
         "MOD" => (
-            "compute the rest: a - a / b * b",
+            "compute the remainder: a - a / b * b",
             "calcule o resto: a - a / b * b",
         ),
         "XOR" => (

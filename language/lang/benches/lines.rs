@@ -24,15 +24,15 @@ const HEAD: &str = "\
 # Benchmarks of the compiler
 
 How long it takes to check a text in Structured Text, from its first byte to the typed tree, and in how much
-memory. This page is written by a program: do not edit it, repeat it.
+memory. A program writes this page: do not edit it, run the benchmark again.
 
 ```
 cargo xtask bench
 ```
 
 measures it, as `cargo run --release` builds it. The texts are function blocks of ten lines each, without a mistake. The
-time is the shortest of seven, on the machine at hand, so another machine gives other figures; the memory is the most
-that the whole process has ever had. The target is 10,000 lines in 150 ms and 32 MB, and growth in proportion to the
+time is the shortest of seven, on the machine at hand, so another machine gives other figures; the memory is the peak
+of the whole process. The target is 10,000 lines in 150 ms and 32 MB, and time and memory that grow in proportion to the
 lines.
 
 | lines | bytes | time | per line | memory |

@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::sync::RwLock;
-use unoclp_codegen::CompiledText;
+use unoclp_codegen::{CompiledText, Variable};
 use unoclp_core::Board;
 use unoclp_text::colour::{Colour, painted};
 use unoclp_text::diagnostics::{Found, Lang, Span, Told};
@@ -197,6 +197,24 @@ pub fn check(text: &str, language: TextLanguage, board: Board) -> CheckedText {
         tree: read.tree.filter(|_| !found.has_errors()),
         diagnostics: found.finish(),
     }
+}
+
+/// The same, and its symbols in their order as a board keeps them; none where the board cannot do it. It is read once.
+pub fn check_placed(
+    text: &str,
+    language: TextLanguage,
+    board: Board,
+) -> (CheckedText, Vec<Variable>) {
+    let mut found = Found::default();
+    let read = (language.0.read)(text, &Options::on(board), &mut found);
+    let mut told = found.clone();
+    told.within(text.len());
+    let made = unoclp_codegen::compile(text, read, board, found);
+    let checked = CheckedText {
+        tree: made.tree,
+        diagnostics: told.finish(),
+    };
+    (checked, made.variables)
 }
 
 /// Compiles a text. It takes a time in proportion to the text's size, whatever the text is.

@@ -17,15 +17,17 @@ use unoclp_text::{colour, diagnostics};
 pub use adapt::{adapt, written_points};
 pub use colour::Colour;
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};
-pub use languages::{CheckedText, TextLanguage, check, colours, compile, compile_text, register};
+pub use languages::{
+    CheckedText, TextLanguage, check, check_placed, colours, compile, compile_text, register,
+};
 pub use unoclp_codegen::{CodeLine, CompiledText, Held, Holding, Shows, Trace, Variable, literal};
 pub use unoclp_il::{Declared, DeclaredPoint, declared, is_operator};
 pub use unoclp_reverse::{instructions_to_il, spelled, to_il, to_st};
-pub use unoclp_st::outline;
+pub use unoclp_st::parts;
 pub use unoclp_st::{Condition, Judge, brought, condition, is_brought, is_name};
 pub use unoclp_text::literal::duration;
 pub use unoclp_text::moved::{Adapted, adapt_at};
-pub use unoclp_text::outline as declarations;
+pub use unoclp_text::outline;
 pub use unoclp_text::points::{no_such_point, point};
 pub use unoclp_text::{Dialect, lacking, show};
 pub use unoclp_tree::{self as typed, Options, given, run};

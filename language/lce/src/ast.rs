@@ -1,10 +1,10 @@
-//! What stands in an LCE text, before anything is known of its names.
+//! What is in an LCE text, before anything is known of its names.
 
 pub(super) use unoclp_small::cursor::Name;
 use unoclp_text::diagnostics::Span;
 use unoclp_tree::{Binary, Compare, Value};
 
-/// As what both sides of an operator are taken.
+/// The type of both sides of an operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// A number with a fraction.
@@ -75,7 +75,7 @@ pub(super) struct Statement {
 
 #[derive(Debug)]
 pub(super) enum StatementKind {
-    /// The sign with its type stands at the span.
+    /// The sign with its type is at the span.
     Assign(Name, Option<Kind>, Span, Node),
     Bit(Bit, Name),
     If(Node, Vec<Statement>, Vec<Statement>),

@@ -72,7 +72,7 @@ impl Checker<'_, '_> {
         }
     }
 
-    /// As what each variable is written, before any of them is read.
+    /// The types that each variable is written with, before any variable is read.
     fn kinds(&mut self, statements: &[Statement]) {
         for statement in statements {
             match &statement.kind {
@@ -86,7 +86,7 @@ impl Checker<'_, '_> {
         }
     }
 
-    /// The place that a command changes; none where it cannot, which is told.
+    /// The place that a command changes; none, with a message, where it cannot.
     pub(super) fn target(&mut self, name: &Name) -> Option<Slot> {
         let slot = self.slot(name)?;
         if let Slot::Point(point) = slot
@@ -124,7 +124,7 @@ impl Checker<'_, '_> {
         self.store(slot, value, name.span, at, all);
     }
 
-    /// Stores a value as what it is.
+    /// Stores a value with its own type.
     pub(super) fn store(
         &mut self,
         slot: Slot,

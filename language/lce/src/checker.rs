@@ -8,7 +8,7 @@ use unoclp_tree::build::Builder;
 
 pub(super) struct Checker<'t, 'f> {
     pub builder: Builder<'t, 'f>,
-    /// What each name stands for; none of a name that has been told.
+    /// What each name stands for; none of a name that has been reported.
     pub names: HashMap<String, Option<Slot>>,
     pub variables: Vec<Variable>,
     pub shown: Vec<Shown>,
@@ -36,7 +36,7 @@ pub(super) enum Written {
     Real,
 }
 
-/// A variable: as what it is written, and where it lives.
+/// A variable: the types it is written with, and where it lives.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Variable {
     pub bit: bool,
@@ -48,7 +48,7 @@ pub(super) struct Variable {
 /// The cells of a variable.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Cells {
-    /// One kind alone is written to it.
+    /// It is written with one type only.
     One(u32, Base),
     /// Mixed kinds: a marker says which of two cells holds what was last written.
     Two { flag: u32, real: u32, whole: u32 },

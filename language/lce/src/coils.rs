@@ -10,7 +10,7 @@ use std::collections::HashSet;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::{Base, Stmt, StmtKind, Value};
 
-/// More coils than this no program turns off.
+/// No program turns off more coils than this.
 const MOST_RESETS: usize = 200_000;
 
 /// A coil and its place.

@@ -68,7 +68,7 @@ impl Parser<'_, '_> {
         self.cursor.name(what, help)
     }
 
-    /// `%IX1`, as the norm writes a point.
+    /// `%IX1`, as the standard writes a point.
     pub(super) fn address(&mut self) -> Told {
         let span = self.cursor.token().span;
         let written = self.cursor.short(span);
@@ -208,7 +208,7 @@ impl Parser<'_, '_> {
         Ok(StatementKind::If(condition, then, otherwise))
     }
 
-    /// What stands between `{` and `}`.
+    /// What is between `{` and `}`.
     fn body(&mut self, word: &str) -> Parsed<Vec<Statement>> {
         let open = self.cursor.token().span;
         if !self.cursor.accept(Sign::OpenBrace) {
@@ -248,7 +248,7 @@ impl Parser<'_, '_> {
         let written = self.cursor.written();
         let help = match written {
             "%" => (
-                "compute the rest: V0 - V0 / V1 * V1",
+                "compute the remainder: V0 - V0 / V1 * V1",
                 "calcule o resto: V0 - V0 / V1 * V1",
             ),
             "**" => ("multiply: V0 * V0", "multiplique: V0 * V0"),

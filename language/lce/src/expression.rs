@@ -1,6 +1,6 @@
-//! Expressions: `|` binds loosest, then `^`, `&`, one comparison, `+ -`, `* /`, and closest `!`; left to right.
+//! Expressions: from the lowest precedence: `|`, `^`, `&`, one comparison, `+ -`, `* /`, `!`; left to right.
 //!
-//! Owns where spaces and signs stand. Must not know as what a value is taken.
+//! Owns the places of spaces and signs. Must not know the types of values.
 
 use super::ast::{Kind, Node, NodeKind, Op};
 use super::parser::Parser;
@@ -10,10 +10,10 @@ use unoclp_small::rules::Sign;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::{Binary, Compare, Value, literal};
 
-/// How tightly comparisons bind.
+/// The precedence of comparisons.
 const COMPARES: u32 = 4;
 
-/// The operator that a sign stands for and how tightly it binds.
+/// The operator that a sign stands for, and its precedence.
 fn operator(sign: Sign) -> Option<(Op, u32)> {
     Some(match sign {
         Sign::Or => (Op::Logic(Binary::Or), 1),
@@ -38,7 +38,7 @@ impl Parser<'_, '_> {
         self.binding(1)
     }
 
-    /// An expression whose operators bind at least so tightly.
+    /// An expression whose operators have at least this precedence.
     fn binding(&mut self, least: u32) -> Parsed<Node> {
         self.cursor.deeper()?;
         let mut left = self.operand()?;
@@ -66,7 +66,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// The operator that stands here, after its type if it has one.
+    /// The operator that is here, after its type if it has one.
     fn operator_here(&mut self) -> Parsed<Option<(Op, u32)>> {
         let mut sign = self.cursor.sign();
         if sign == Sign::Foreign {

@@ -1,4 +1,4 @@
-//! Operators: as what they take both sides, and what comes of them.
+//! Operators: the type of both sides, and of the result.
 //!
 //! Owns R, D, W and B of expressions. Must not know what is stored where.
 

@@ -44,7 +44,7 @@ pub fn vocabulary() -> Vec<&'static str> {
     Word::WORDS.iter().map(|(word, _)| *word).collect()
 }
 
-/// The tree of a text; none where something is wrong, which is told.
+/// The tree of a text; none, with a message, where something is wrong.
 pub fn check(text: &str, board: Board, found: &mut Found) -> Option<Tree> {
     let program = parser::parse(text, board, found);
     if let Some(open) = found.place_of(Code::StCommentOpen) {

@@ -30,7 +30,7 @@ pub(super) fn is_place(text: &str) -> bool {
 }
 
 impl Checker<'_, '_> {
-    /// What a name stands for; none where that is nothing, which is told once.
+    /// What a name stands for; none, with one message, if it stands for nothing.
     pub(super) fn slot(&mut self, name: &Name) -> Option<Slot> {
         if let Some(slot) = self.names.get(&name.text) {
             return *slot;
@@ -104,7 +104,7 @@ impl Checker<'_, '_> {
             .tell(Code::LceUndeclared, name.span, [text.into(), help]);
     }
 
-    /// Notes as what a name is written.
+    /// Notes the type that a name is written with.
     pub(super) fn note(&mut self, name: &Name, written: Written) {
         let Some(Slot::Variable(number)) = self.slot(name) else {
             return;
@@ -190,7 +190,7 @@ impl Checker<'_, '_> {
 }
 
 impl Written {
-    /// As what an assignment of this type writes.
+    /// The type that an assignment of this type writes.
     pub fn of(kind: Option<Kind>) -> Written {
         match kind {
             Some(Kind::R) => Written::Real,

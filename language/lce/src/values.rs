@@ -1,4 +1,4 @@
-//! Values: what a variable or a constant is taken as, R, D, W, B or a bit.
+//! Values: the type of a variable or a constant: R, D, W, B or a bit.
 //!
 //! Owns the conversions between them. A value is a bit, a DINT or a REAL; a variable of mixed kinds is what its
 //! marker says. Must not know operators.
@@ -8,7 +8,7 @@ use super::checker::{Cells, Checker, Slot};
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::{Base, Convert, Expr, ExprKind, Place, Root, TypeId, Value};
 
-/// A value before it is taken as anything.
+/// A value before it has a type.
 #[derive(Clone, Debug)]
 pub(super) enum Val {
     Bit(Expr),

@@ -15,7 +15,7 @@ impl<'t> Parser<'t, '_> {
         while self.line() {}
     }
 
-    /// One line; false where none stands there.
+    /// One line; false where none is there.
     fn line(&mut self) -> bool {
         if self.cursor.accept(Sign::Semicolon) {
             return true;

@@ -139,7 +139,7 @@ pub(super) fn lacking(word: &str) -> Option<(&'static str, &'static str)> {
         "or" | "ou" => ("write |", "escreva |"),
         "xor" => ("write ^", "escreva ^"),
         "mod" => (
-            "compute the rest: V0 - V0 / V1 * V1",
+            "compute the remainder: V0 - V0 / V1 * V1",
             "calcule o resto: V0 - V0 / V1 * V1",
         ),
         "true" | "verdadeiro" => ("write 1", "escreva 1"),

@@ -2,7 +2,7 @@
 //!
 //! `lexer` (bytes → words, `token`; `comments` and `bounds` of literals), `typed::literal` (what they are worth), `parser` (words → `ast`;
 //! `pieces` of a list too), `library` (blocks that others bring), `check` (names and types, by the builder that all typed
-//! languages share). [`condition()`]: an expression alone, asked again and again. [`mod@outline`]: what stands where.
+//! languages share). [`condition()`]: an expression alone, asked again and again. [`mod@parts`]: what stands where.
 //!
 //! Owns what each word of Structured Text means. Must not know other languages, instructions of a board, files. No text makes
 //! it panic. What a chart does, `unoclp-chart` knows.
@@ -16,8 +16,8 @@ mod comments;
 mod condition;
 mod lexer;
 mod library;
-pub mod outline;
 mod parser;
+pub mod parts;
 pub mod pieces;
 mod token;
 mod words;
@@ -73,7 +73,7 @@ pub fn vocabulary() -> Vec<&'static str> {
     keywords.chain(IN_CHARTS).collect()
 }
 
-/// Whether this is a keyword, or a type of the norm, in upper case.
+/// Whether this is a keyword, or a type of the standard, in upper case.
 pub fn is_word(word: &str) -> bool {
     Keyword::of(word) != Keyword::None
         || Base::named(word).is_some()

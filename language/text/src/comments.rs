@@ -1,4 +1,4 @@
-//! The comments of a text that stand on lines of their own, for whoever shows what has become of it.
+//! The comments of a text that are on lines of their own, for a program that shows what it compiles to.
 //!
 //! Owns which line says what; must not know where a comment begins or ends: the lexer says so.
 

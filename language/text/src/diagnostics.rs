@@ -10,7 +10,7 @@ pub use unoclp_words::Lang;
 /// A word that a place in the text adds to a message: the same in every language, or one for each.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Word {
-    /// What stands in the text.
+    /// What is in the text.
     Text(String),
     /// English, and Portuguese.
     Both(String, String),
@@ -90,7 +90,7 @@ impl Diagnostic {
         Diagnostic { code, span, words }
     }
 
-    /// The same of another text, in which it stands here.
+    /// The same of another text, in which it is here.
     #[must_use]
     pub fn at(&self, span: Span) -> Diagnostic {
         Diagnostic {
@@ -99,7 +99,7 @@ impl Diagnostic {
         }
     }
 
-    /// Whether there is a program all the same.
+    /// Whether there is a program anyway.
     pub fn severity(&self) -> Severity {
         self.code.severity()
     }
@@ -168,7 +168,7 @@ impl Lines {
         Lines(std::iter::once(0).chain(behind.map(|(_, at)| at)).collect())
     }
 
-    /// The line that this byte stands in, from 1.
+    /// The line that this byte is in, from 1.
     pub fn line(&self, byte: u32) -> u32 {
         self.0.partition_point(|&start| start <= byte) as u32
     }
@@ -188,7 +188,7 @@ impl Lines {
     }
 }
 
-/// More errors than this, and more warnings, are only counted: the first ones say what to mend.
+/// More errors than this, and more warnings, are only counted: the first ones say what to correct.
 const MOST: usize = 100;
 
 /// The diagnostics of a run, as they are found.
@@ -257,7 +257,7 @@ impl Found {
         }
     }
 
-    /// Takes what others have found.
+    /// Adds the diagnostics of others.
     pub fn join(&mut self, other: Found) {
         for diagnostic in other.told {
             let Diagnostic { code, span, .. } = diagnostic;

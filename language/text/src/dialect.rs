@@ -1,4 +1,4 @@
-//! Whose Instruction List a text is.
+//! The dialect of a text in Instruction List.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! How much a program is too long, in words.
+//! A message about how many bytes a program is too long.
 
 use crate::diagnostics::Lang;
 

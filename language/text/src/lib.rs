@@ -1,4 +1,4 @@
-//! What every language has of a text, whatever it means.
+//! What all languages share about texts, whatever they mean.
 //!
 //! - [`diagnostics`]: places in a text, what can be said about one, and in which order; `messages` is the table of it
 //! - [`show()`]: diagnostics for a terminal

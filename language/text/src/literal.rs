@@ -84,7 +84,7 @@ fn whole(digits: &str, radix: u32) -> Option<i32> {
     match radix {
         // A pattern of 32 bits.
         2 | 8 | 16 => u32::try_from(number).ok().map(u32::cast_signed),
-        // One more than the largest, because a minus may stand before it.
+        // One more than the largest, because a minus may be before it.
         _ => (number <= 1 << 31).then_some(number as i32),
     }
 }

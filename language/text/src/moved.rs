@@ -30,7 +30,7 @@ impl Adapted {
 }
 
 /// The text with a free point of this board in the place of each at these places that the board lacks, and no table. What
-/// stands at such a place and names no point stays.
+/// is at such a place and names no point stays.
 pub fn adapt_at(text: &str, points: &[Range<usize>], board: Board) -> Adapted {
     let keys: Vec<String> = points
         .iter()

@@ -1,4 +1,4 @@
-//! What may have been meant by a word that nothing declares.
+//! Suggestions for an undeclared word.
 
 /// The name that is a slip of the hand away, two in a long one.
 pub fn nearest<'n>(wrong: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {

@@ -68,7 +68,7 @@ pub fn variable(key: &str, maker: Maker, board: Board) -> Option<(Address, Writt
     is_variable.then_some((address, written))
 }
 
-/// The point that an address names as the norm writes it: `%IX0.4`.
+/// The point that an address names as the standard writes it: `%IX0.4`.
 ///
 /// # Errors
 /// What to write, where a program can have no variable there.
@@ -139,7 +139,7 @@ pub struct Spellings(HashMap<Address, (Spelling, Span)>);
 
 impl Spellings {
     /// Notes how a point is written there. One that is written in two ways, such as `I2` and `%I0.1`, was meant to be
-    /// two, which is told by this code.
+    /// two, which is reported by this code.
     pub fn note(
         &mut self,
         (address, written): (Address, &Written),

@@ -1,4 +1,4 @@
-//! How bad it is.
+//! The severity of a message.
 
 /// Whether a text can be compiled all the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

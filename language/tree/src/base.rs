@@ -256,7 +256,7 @@ impl Base {
 }
 
 impl Generic {
-    /// As the norm writes it.
+    /// As the standard writes it.
     pub fn name(self) -> &'static str {
         match self {
             Generic::Elementary => "ANY_ELEMENTARY",

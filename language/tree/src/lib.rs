@@ -14,7 +14,7 @@
 //! ```
 //!
 //! - `base`, `types`, `value`: elementary types, derived types, values
-//! - `standard`: the function blocks of the norm and their cells
+//! - `standard`: the function blocks of the standard and their cells
 //! - `tree`: units and their cells; `statement`; `expression`: expressions and places
 //! - `literal`: what literals are worth; `codes`: instructions that a text says by their codes
 //! - `ops`, `conversions`: what each operation gives, for folding and for the interpreter alike, in the `width` of types

@@ -1,4 +1,4 @@
-//! The values of literals, in every form of the norm (2.2).
+//! The values of literals, in every form of the standard (2.2).
 
 use super::base::Base;
 use super::value::{Value, days};

@@ -1,8 +1,8 @@
-//! The function blocks of the norm (2.5.2.3) and the board's own: what they have, and in which cells.
+//! The function blocks of the standard (2.5.2.3) and the board's own: what they have, and in which cells.
 
 use super::base::Base;
 
-/// A function block of the norm, or of the board.
+/// A function block of the standard, or of the board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Standard {
     /// Keeps a bit; setting wins.
@@ -126,7 +126,7 @@ const EDGE: &[Part] = &[
 ];
 
 impl Standard {
-    /// Those of the norm, which texts declare by these names.
+    /// Those of the standard, which texts declare by these names.
     pub const ALL: [Standard; 13] = [
         Standard::Sr,
         Standard::Rs,
@@ -164,7 +164,7 @@ impl Standard {
         }
     }
 
-    /// The block of the norm that has this name, in upper case.
+    /// The block of the standard that has this name, in upper case.
     pub fn named(name: &str) -> Option<Standard> {
         Standard::ALL.into_iter().find(|block| block.name() == name)
     }
@@ -199,7 +199,7 @@ impl Standard {
         self.parts().len() as u32
     }
 
-    /// The block that has one of the norm's longer names, in upper case: `TON_TIME`, `CTU_INT`. Those that count in 64 bits,
+    /// The block that has one of the standard's longer names, in upper case: `TON_TIME`, `CTU_INT`. Those that count in 64 bits,
     /// or without a sign, count as those of DINT do.
     pub fn overloaded(name: &str) -> Option<Standard> {
         let (plain, of) = name.rsplit_once('_')?;
@@ -214,7 +214,7 @@ impl Standard {
         }
     }
 
-    /// The norm's name of a member that others call otherwise: RESET is R.
+    /// The standard's name of a member that others call otherwise: RESET is R.
     fn usual(self, name: &str) -> &str {
         match (self.plain(), name) {
             (Standard::Sr, "SET1" | "S") => "S1",

@@ -41,7 +41,7 @@ pub enum StmtKind {
     Return,
     /// Calls a function without its result, or a block.
     Call(Call),
-    /// Runs a block of the norm, whose inputs have been stored.
+    /// Runs a block of the standard, whose inputs have been stored.
     Standard(Standard, Place),
     /// Does to a timer or a counter what an instruction of the board does beside its call.
     Order(Order, Standard, Place),

@@ -55,7 +55,7 @@ pub enum Kind {
     },
     /// Members in a row.
     Struct(Vec<Member>),
-    /// A function block of the norm; its cells are [`Standard::cells`].
+    /// A function block of the standard; its cells are [`Standard::cells`].
     Standard(Standard),
     /// A function block of the text, by the number of its unit.
     Block(u32),

@@ -133,7 +133,7 @@ pub fn uses(analysis: &Analysis, at: usize) -> Vec<UsedAt> {
 /// Why it cannot have that.
 pub fn rename(analysis: &Analysis, at: usize, name: &str) -> Result<Vec<Change>, No> {
     let text = analysis.written().text();
-    let edits = assist::rename(analysis.written(), byte(&text, at), name);
+    let edits = assist::rename(analysis, byte(&text, at), name);
     let edits = edits.map_err(|why| No::Told(both(|lang| why.message(lang))))?;
     Ok(changes(&text, edits))
 }

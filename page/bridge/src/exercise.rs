@@ -24,6 +24,8 @@ answer! {
         given: Option<Given>,
         /// The name of its machine's file, where it has one.
         plant: Option<String>,
+        /// The board that it is for, where it names one.
+        board: Option<&'static str>,
         title: Both,
         task: Option<Both>,
         hints: Vec<Both>,
@@ -161,6 +163,7 @@ pub fn sheet(name: &str, text: &str, board: Board) -> Result<Sheet, No> {
         kind,
         given: exercise.given.as_ref().map(Given::from),
         plant: file.map(|name| name.to_string_lossy().into_owned()),
+        board: exercise.names_board.then(|| exercise.board.id()),
         title: (&exercise.title).into(),
         task: exercise.task.as_ref().map(Both::from),
         hints: exercise.hints.iter().map(Both::from).collect(),
@@ -325,6 +328,6 @@ fn shown(failing: &scenario::Failing, exercise: &Exercise) -> Shown {
             to: unmet.to,
         }),
         why: both(|lang| report.verdict.brief(lang)),
-        svg: both(|lang| diagram::svg(&[run], &exercise.names, lang)),
+        svg: both(|lang| diagram::column(&[run], &exercise.names, lang)),
     }
 }

@@ -57,6 +57,8 @@ mod program;
 mod project;
 #[cfg(feature = "full")]
 mod replay;
+#[cfg(feature = "full")]
+mod slow;
 #[cfg(any(test, not(feature = "full")))]
 mod start;
 mod tell;

@@ -21,6 +21,10 @@ const LONGEST_TRACE: u32 = 600_000;
 pub fn answer(ask: More, boards: &mut Boards) -> Result<Answer, No> {
     let workspace = &mut boards.workspace;
     Ok(match ask {
+        More::Slow { version, left } => Answer::Slow(boards.stood(version, &left.0)?),
+        More::Slowly { board, to, through } => {
+            Answer::Slowly(boards.slowly(board, to.0.as_deref(), through)?)
+        }
         More::List {
             version,
             form,

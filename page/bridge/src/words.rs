@@ -45,7 +45,7 @@ impl From<unoclp_edit::Amiss> for No {
 unoclp_words::messages! {
     no_request(why) "the page sent a request that cannot be understood: {why}" "a página enviou um pedido incompreensível: {why}";
     no_such_board(name) "there is no board {name}: ask for uno, nano or pc" "não existe a placa {name}: peça uno, nano ou pc";
-    no_board(session) "there is no conversation {session}" "não existe a conversa {session}";
+    no_board(session) "there is no session {session}" "não existe a sessão {session}";
     no_version(version) "the page asked about text {version}, which is no longer known; change the text and try again" "a página perguntou pelo texto {version}, que não é mais conhecido; altere o texto e tente de novo";
     too_long(most) "the text is longer than {most} bytes" "o texto passa de {most} bytes";
     faulty() "the program has errors; see the problems" "o programa tem erros; veja os problemas";
@@ -60,8 +60,8 @@ unoclp_words::messages! {
         "com outros acasos, ocultos, a máquina não faz o que deve";
     no_find() "this exercise has no hidden fault" "este exercício não tem uma falha escondida";
     cannot_fail(name)
-        "the hidden fault of this exercise is none that the machine {name} can have"
-        "a falha escondida deste exercício não existe na máquina {name}";
+        "the machine {name} cannot have the hidden fault of this exercise"
+        "a máquina {name} não pode ter a falha escondida deste exercício";
     machine_first() "open a machine first" "abra uma máquina antes";
     fault_stuck() "stuck" "travado";
     fault_open() "wire broken" "fio partido";
@@ -73,7 +73,8 @@ unoclp_words::messages! {
     fault_bouncing() "bounces" "trepida";
     own_contacts() "real contacts drive the board's inputs; force the input instead" "contatos reais comandam as entradas da placa; force a entrada";
     no_settings() "a program on this computer has no settings" "um programa neste computador não tem configurações";
-    own_program() "this computer runs the program that the page has" "este computador executa o programa que a página tem";
+    own_program() "this computer runs the program that is open in the page" "este computador executa o programa aberto na página";
+    none_runs() "no program runs here; press Run" "nenhum programa está em execução aqui; aperte Executar";
     none_given() "no program has been given yet; press Run" "nenhum programa foi enviado ainda; aperte Executar";
     no_model(name) "no board is called {name}" "nenhuma placa se chama {name}";
     no_address(address, least, most) "address {address} is not valid; a board has an address from {least} to {most}" "o endereço {address} não é válido; uma placa tem um endereço de {least} a {most}";

@@ -1,13 +1,16 @@
-// The simulated UNO: the chip through resets and power cuts, and what is connected to it. Its time is cycles, and goes on
+// A simulated board: the chip through resets and power cuts, and what is connected to it. Its time is cycles, and goes on
 // while there is no power; it knows no clock, no page and no worker.
 
 import { Agenda } from "./agenda";
 import { Card, SILENCE } from "./card";
 import { type Around, Chip } from "./chip/chip";
 import { Eeprom } from "./chip/eeprom";
+import type { Fetches } from "./chip/fetches";
+import { tellFetches } from "./chip/opcodes";
 import { Contacts } from "./contacts";
-import type { Analogue, Pins, ResetCause, SerialFormat } from "./messages";
+import type { Analogue, BoardId, Pins, ResetCause, SerialFormat } from "./messages";
 import { USUAL_FORMAT } from "./messages";
+import { WIRINGS, type Wiring } from "./wiring";
 import { Surroundings } from "./pins";
 import { type Setting, bitsOf, lengthOf, read, settingOf } from "./serial";
 
@@ -15,7 +18,7 @@ import { type Setting, bitsOf, lengthOf, read, settingOf } from "./serial";
 export interface Witness {
   /** A byte has come out of the serial port, as the page's end of the line reads it. */
   serial(byte: number): void;
-  /** An output changed its level, but for pulses: 1 to 4. */
+  /** An output changed its level, but for pulses: 1 is point 01. */
   output(output: number, high: boolean): void;
   reset(cause: ResetCause): void;
   power(on: boolean): void;
@@ -37,18 +40,30 @@ export class Board {
   /** When the last byte on the line to the board is over. */
   private lineFree = 0;
   private cutAtWrite = false;
+  private told: Fetches | null = null;
   /** The cycle while there is no chip to count them. */
   private idle = 0;
 
+  readonly wiring: Wiring;
+
   /** A board without power, with this program in its flash. A write to the EEPROM takes as long as on the chip. */
   constructor(
+    readonly id: BoardId,
     private readonly flash: Uint16Array,
     private readonly witness: Witness,
     eepromWriteCycles?: number,
   ) {
-    this.eeprom = new Eeprom(() => this.now, () => this.eepromWrites(), eepromWriteCycles);
-    this.surroundings = new Surroundings((output, high) => this.witness.output(output, high));
+    this.wiring = WIRINGS[id];
+    this.eeprom = new Eeprom(this.wiring.chip.eeprom, () => this.now, () => this.eepromWrites(), eepromWriteCycles);
+    this.surroundings = new Surroundings(this.wiring, (output, high) => this.witness.output(output, high));
     this.contacts = new Contacts(this.agenda, () => this.drive());
+  }
+
+  /** Another such board, without power, with the same flash and EEPROM: to try something. */
+  copy(witness: Witness): Board {
+    const copy = new Board(this.id, this.flash, witness, this.eeprom.writeCycles);
+    copy.eeprom.bytes.set(this.eeprom.bytes);
+    return copy;
   }
 
   /** Cycles since the board was made. */
@@ -63,6 +78,13 @@ export class Board {
   /** The chip, to look into, while there is power. */
   get inside(): Chip | null {
     return this.chip;
+  }
+
+  /** Who is told of what the firmware's engine fetches, and may stop it there; `null`: nobody, which costs nothing. */
+  set fetches(fetches: Fetches | null) {
+    this.told = fetches;
+    tellFetches(fetches !== null);
+    if (this.chip) this.chip.fetches = fetches;
   }
 
   plug(on: boolean): void {
@@ -93,7 +115,7 @@ export class Board {
     if (this.chip) this.begin("button", this.chip);
   }
 
-  /** Input 01 to 08: 1 to 8. */
+  /** Input 01: 1. */
   press(input: number, closed: boolean): void {
     this.contacts.press(input - 1, closed, this.now);
   }
@@ -107,7 +129,7 @@ export class Board {
     this.drive();
   }
 
-  /** Analogue input 00 to 04. */
+  /** Analogue input 00: 0. */
   setAnalogue(input: number, to: Analogue): void {
     this.surroundings.analogue[input] = to;
     this.drive();
@@ -151,7 +173,8 @@ export class Board {
     });
   }
 
-  /** Runs to where the instruction at this byte address is the next, for so many cycles at most; says whether it is. */
+  /** Runs to where the instruction at this byte address is the next, or the engine is to stop, for so many cycles at most;
+   * says whether it is there. */
   runTo(address: number, cycles: number): boolean {
     return this.advance(this.now + cycles, (chip, until) => chip.runTo(address, until));
   }
@@ -175,14 +198,15 @@ export class Board {
 
   private begin(cause: ResetCause, before: Chip | null): void {
     this.witness.reset(cause);
-    this.chip = new Chip(this.flash, this.around(), cause, this.now, before);
+    this.chip = new Chip(this.wiring.chip, this.flash, this.around(), cause, this.now, before);
+    this.chip.fetches = this.told;
     this.portChanged();
   }
 
   private around(): Around {
     return {
       eeprom: this.eeprom,
-      millivolts: (pin) => (this.chip ? this.surroundings.millivolts(pin, this.chip) : 0),
+      millivolts: (channel) => (this.chip ? this.surroundings.millivolts(channel, this.chip) : 0),
       sent: (byte, setting) => this.witness.serial(read(byte, setting, this.line).byte),
       exchange: (byte, cycles) => {
         this.surroundings.clockCard(cycles);

@@ -1,33 +1,35 @@
-// The firmware as the flash holds it, and as Intel hex has it. Of that, as far as a firmware for this chip needs it: data, end, and segments of 0.
+// The firmware as the flash holds it, and as Intel hex has it. Of that, as far as a firmware needs it: data, end, and where data above 64 KB begin.
 
-/** Bytes of the flash. */
-export const FLASH_LEN = 32 * 1024;
 const ERASED = 0xff;
 
-/** The words of a flash that begins with these bytes; `null` where they do not fit, or there are none. */
-export function flashOf(bytes: Uint8Array): Uint16Array | null {
-  if (bytes.length === 0 || bytes.length > FLASH_LEN) return null;
-  const flash = new Uint8Array(FLASH_LEN).fill(ERASED);
+/** The words of a flash of this length that begins with these bytes; `null` where they do not fit, or there are none. */
+export function flashOf(bytes: Uint8Array, length: number): Uint16Array | null {
+  if (bytes.length === 0 || bytes.length > length) return null;
+  const flash = new Uint8Array(length).fill(ERASED);
   flash.set(bytes);
   return new Uint16Array(flash.buffer);
 }
 
-/** The words of the flash; `null` where the text is no Intel hex, a check sum is wrong, or something does not fit. */
-export function readHex(text: string): Uint16Array | null {
-  const flash = new Uint8Array(FLASH_LEN).fill(ERASED);
+/** The words of a flash of so many bytes; `null` where the text is no Intel hex, a check sum is wrong, or something does not fit. */
+export function readHex(text: string, length: number): Uint16Array | null {
+  let base = 0;
+  const flash = new Uint8Array(length).fill(ERASED);
   for (const line of text.split(/\r?\n/)) {
     if (line === "") continue;
     const record = readRecord(line);
     if (!record) return null;
     const { kind, address, data } = record;
     if (kind === 1) return new Uint16Array(flash.buffer);
-    // An address above 64 KB, or where the program starts: neither says anything but 0 for this chip.
     if (kind !== 0) {
-      if (data.some((byte) => byte !== 0)) return null;
+      const [high = 0, low = 0] = data;
+      // Where the program starts says nothing but 0.
+      if (kind === 2) base = ((high << 8) | low) << 4;
+      else if (kind === 4) base = ((high << 8) | low) * 0x1_0000;
+      else if (data.some((byte) => byte !== 0)) return null;
       continue;
     }
-    if (address + data.length > FLASH_LEN) return null;
-    flash.set(data, address);
+    if (base + address + data.length > length) return null;
+    flash.set(data, base + address);
   }
   return null;
 }

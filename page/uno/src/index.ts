@@ -2,5 +2,6 @@
 
 export { readHex } from "./hex";
 export type * from "./machine";
+export { WIRINGS } from "./wiring";
 export type * from "./messages";
 export { type Scope, serve } from "./serve";

@@ -1,13 +1,8 @@
 // What the page and the worker with the simulated board tell each other. Nothing here but types and constants.
 
-/** Digital inputs, points 01 to 08: D2 to D5, A0 to A3. */
-export const INPUTS = 8;
-/** Analogue inputs, points 00 to 04: A0 to A4. */
-export const ANALOGUE_INPUTS = 5;
-/** Outputs, points 01 to 04: D6 to D9. */
-export const OUTPUTS = 4;
-/** Bytes of the EEPROM. */
-export const EEPROM_LEN = 1024;
+/** A board that can be simulated: that which a firmware is for. */
+export type BoardId = "uno" | "mega";
+
 /** Bytes of a block of a card. */
 export const BLOCK_LEN = 512;
 
@@ -30,9 +25,10 @@ export type Analogue =
 
 /** What the page asks of the worker. */
 export type Command =
-  /** The firmware, as the flash holds it from 0 on. The board stays without power until `plug`. Comes first. */
-  | { readonly kind: "firmware"; readonly bytes: Uint8Array }
-  /** The whole EEPROM, of `EEPROM_LEN` bytes, as a browser has kept it; only while there is no power. */
+  /** A board and its firmware, as the flash holds it from 0 on. It stays without power until `plug`. Comes first. Of a board
+   * of the same kind before it, EEPROM, card and line are kept. */
+  | { readonly kind: "firmware"; readonly board: BoardId; readonly bytes: Uint8Array }
+  /** The whole EEPROM as a browser has kept it; only while there is no power. */
   | { readonly kind: "eeprom"; readonly bytes: Uint8Array }
   /** The plug goes in, or is pulled: what stood in RAM is lost, what stands in the EEPROM and on the card stays. */
   | { readonly kind: "plug"; readonly on: boolean }
@@ -40,13 +36,13 @@ export type Command =
   | { readonly kind: "plug-at-write"; readonly armed: boolean }
   /** The button RESET, pressed and let go. */
   | { readonly kind: "reset" }
-  /** Button of input 01 to 08 (`input` 1 to 8), closed to GND or open. */
+  /** Button of an input of the board (`input` 1 is point 01), closed to GND or open. */
   | { readonly kind: "button"; readonly input: number; readonly closed: boolean }
   /** From now on, contacts bounce for a few milliseconds, or no longer do. */
   | { readonly kind: "bouncing"; readonly on: boolean }
-  /** Analogue input A 00 to 04 (`input` 0 to 4), pins A0 to A4. */
+  /** An analogue input of the board (`input` 0 is A 00, pin A0). */
   | { readonly kind: "analogue"; readonly input: number; readonly to: Analogue }
-  /** The switch STOP, at A5: closed is STOP. */
+  /** The switch STOP: closed is STOP. */
   | { readonly kind: "stop"; readonly closed: boolean }
   /** A card, as the bytes of its image, in whole blocks; `null` pulls it out. */
   | { readonly kind: "card"; readonly image: Uint8Array | null }
@@ -60,15 +56,17 @@ export type Command =
   /** How bytes come and go at the page's end of the line. A board that is set otherwise reads garbage, as a real one. */
   | { readonly kind: "line"; readonly format: SerialFormat }
   /** Bytes to the board, one after the other at the rate of the line. */
-  | { readonly kind: "serial"; readonly bytes: Uint8Array };
+  | { readonly kind: "serial"; readonly bytes: Uint8Array }
+  /** What time it is there: told behind all that has happened until then. */
+  | { readonly kind: "time" };
 
 /** Why the chip began again. */
 export type ResetCause = "power" | "button" | "brown-out" | "watchdog";
 
 /** What is seen at the board. */
 export interface Pins {
-  /** Outputs 01 to 04: 0 is dark, 1 is bright; between them the share of time that a pin was high since the last `pins`. */
-  readonly outputs: readonly [number, number, number, number];
+  /** Outputs from point 01 on: 0 is dark, 1 is bright; between them the share of time that a pin was high since the last `pins`. */
+  readonly outputs: readonly number[];
   /** LED L, likewise: it flickers while the card is read. */
   readonly led: number;
   /** Bit n: the pin of input n + 1 is low, as a button that bounces has it at this moment. */
@@ -78,16 +76,16 @@ export interface Pins {
 /** A pin of an output that changed its level: `at` ms after the power came. Pulses of PWM are left out. */
 export interface Edge {
   readonly at: number;
-  /** Of output 01 to 04: 1 to 4. */
+  /** Of output 01: 1. */
   readonly output: number;
   readonly high: boolean;
 }
 
 /** Why a command was not obeyed. */
 export type Trouble =
-  /** Not Intel hex, a check sum does not fit, or more than 32 KB. */
+  /** Not Intel hex, a check sum does not fit, or more than the flash. */
   | "bad-firmware"
-  /** Not of `EEPROM_LEN` bytes, or the board has power. */
+  /** Not of the length of the EEPROM, or the board has power. */
   | "bad-eeprom"
   /** Not of whole blocks, or none. */
   | "bad-card"
@@ -118,4 +116,5 @@ export type Event =
   | { readonly kind: "pace"; readonly at: number; readonly factor: number; readonly asked: number }
   /** Time stands now: after `pause`, or at the end of a `step`. */
   | { readonly kind: "paused"; readonly at: number }
+  | { readonly kind: "time"; readonly at: number }
   | { readonly kind: "trouble"; readonly trouble: Trouble };

@@ -6,20 +6,19 @@ import { CYCLES_PER_MS } from "./chip/registers";
 import { flashOf } from "./hex";
 import type { Machine } from "./machine";
 import {
-  ANALOGUE_INPUTS,
   type Analogue,
   BLOCK_LEN,
+  type BoardId,
   type Command,
-  EEPROM_LEN,
   type Edge,
   type Event,
-  INPUTS,
   type Pins,
   type ResetCause,
   type Trouble,
   USUAL_FORMAT,
 } from "./messages";
 import { Pace } from "./pace";
+import { WIRINGS } from "./wiring";
 
 /** How long a turn works at most, and how long one takes that has all done in time: ms. */
 const WORK = 12;
@@ -36,7 +35,10 @@ const EDGES = 1000;
 const RATES = { least: 300, most: 1_000_000 };
 
 export class Session implements Witness {
-  private board: Board | null = null;
+  /** The board at hand. */
+  board: Board | null = null;
+  /** Runs the board for so many cycles at most in place of it, and says whether time stands from now on. */
+  stopper: ((cycles: number) => boolean) | null = null;
   private image: Uint8Array | null = null;
   private format = USUAL_FORMAT;
   private readonly pace = new Pace();
@@ -115,7 +117,9 @@ export class Session implements Witness {
         const sent = this.sent.length;
         // A whole number: of less than a cycle, time would not go on.
         const due = this.machine ? this.machineAt - before : Infinity;
-        board.run(Math.max(1, Math.min(Math.ceil(Math.min(left, CHUNK) * CYCLES_PER_MS), due)));
+        const cycles = Math.max(1, Math.min(Math.ceil(Math.min(left, CHUNK) * CYCLES_PER_MS), due));
+        if (!this.stopper) board.run(cycles);
+        else if (this.stopper(cycles)) this.left = 0;
         this.move(board);
         const passed = (board.now - before) / CYCLES_PER_MS;
         left -= passed;
@@ -146,7 +150,7 @@ export class Session implements Witness {
 
   /** What an analogue input reads from now on. */
   private measure(board: Board, input: number, reading: number): void {
-    if (this.readings.get(input) === reading || !isNumber(input, 0, ANALOGUE_INPUTS - 1)) return;
+    if (this.readings.get(input) === reading || !isNumber(input, 0, board.wiring.analogue.length - 1)) return;
     this.readings.set(input, reading);
     board.setAnalogue(input, { reading });
   }
@@ -154,7 +158,7 @@ export class Session implements Witness {
   /** Moves the contacts at these inputs that stand otherwise. */
   private give(inputs: number, closed: number): void {
     const turned = (closed ^ this.given) & inputs;
-    for (let input = 1; input <= INPUTS; input += 1) {
+    for (let input = 1; input <= (this.board?.wiring.inputs.length ?? 0); input += 1) {
       if ((turned >> (input - 1)) & 1) this.board?.press(input, ((closed >> (input - 1)) & 1) === 1);
     }
     this.given = closed;
@@ -162,11 +166,12 @@ export class Session implements Witness {
 
   private attempt(command: Command): Trouble | null {
     const { board } = this;
+    const wiring = WIRINGS[board?.id ?? "uno"];
     switch (command.kind) {
       case "firmware":
-        return this.load(command.bytes);
+        return this.load(command.board, command.bytes);
       case "eeprom":
-        if (command.bytes.length !== EEPROM_LEN || !board || board.hasPower) return "bad-eeprom";
+        if (!board || board.hasPower || command.bytes.length !== board.eeprom.bytes.length) return "bad-eeprom";
         board.eeprom.bytes.set(command.bytes);
         return null;
       case "plug":
@@ -181,14 +186,14 @@ export class Session implements Witness {
         board?.reset();
         return null;
       case "button":
-        if (!isNumber(command.input, 1, INPUTS)) return "bad-value";
+        if (!isNumber(command.input, 1, wiring.inputs.length)) return "bad-value";
         board?.press(command.input, command.closed);
         return null;
       case "bouncing":
         if (board) board.bouncing = command.on;
         return null;
       case "analogue":
-        if (!isNumber(command.input, 0, ANALOGUE_INPUTS - 1) || !isAnalogue(command.to)) return "bad-value";
+        if (!isNumber(command.input, 0, wiring.analogue.length - 1) || !isAnalogue(command.to)) return "bad-value";
         board?.setAnalogue(command.input, command.to);
         return null;
       case "stop":
@@ -223,17 +228,21 @@ export class Session implements Witness {
         board?.send(command.bytes);
         this.isAsked = true;
         return null;
+      case "time":
+        this.report();
+        this.tell({ kind: "time", at: this.at });
+        return null;
     }
   }
 
   /** A board with this firmware, in place of the one before, whose EEPROM, card and line it keeps. */
-  private load(bytes: Uint8Array): Trouble | null {
-    const flash = flashOf(bytes);
+  private load(id: BoardId, bytes: Uint8Array): Trouble | null {
+    const flash = flashOf(bytes, WIRINGS[id].chip.flash);
     if (!flash) return "bad-firmware";
     const before = this.board;
     before?.plug(false);
-    const board = new Board(flash, this);
-    if (before) board.eeprom.bytes.set(before.eeprom.bytes);
+    const board = new Board(id, flash, this);
+    if (before?.id === id) board.eeprom.bytes.set(before.eeprom.bytes);
     board.insert(this.image);
     board.setLine(this.format);
     this.board = board;

@@ -4,14 +4,14 @@ import { assemble } from "avr8js/dist/esm/utils/assembler";
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { WRITE_CYCLES } from "../src/chip/eeprom";
-import { FLASH_LEN } from "../src/hex";
+import { ATMEGA328P } from "../src/chip/model";
 import { type Fixture, ms, newBoard } from "./fixture";
 
 /** A board with this program in assembly, powered. */
 function board(program: string): Fixture {
   const { bytes, errors } = assemble(program);
   assert.deepEqual(errors, []);
-  const flash = new Uint8Array(FLASH_LEN).fill(0xff);
+  const flash = new Uint8Array(ATMEGA328P.flash).fill(0xff);
   flash.set(bytes);
   const fixture = newBoard(new Uint16Array(flash.buffer));
   fixture.board.plug(true);

@@ -41,7 +41,7 @@ export class Desk {
 export function running(program: string): Desk {
   const desk = new Desk();
   desk.obey(
-    { kind: "firmware", bytes: firmwareBytes() },
+    { kind: "firmware", board: "uno", bytes: firmwareBytes() },
     { kind: "card", image: card(program) },
     { kind: "plug", on: true },
     { kind: "run" },

@@ -6,6 +6,8 @@ import { Board, type Witness } from "../src/board";
 import { CYCLES_PER_MS } from "../src/chip/registers";
 import { readHex } from "../src/hex";
 import type { ResetCause } from "../src/messages";
+import { type Places, placesOf } from "../src/slow";
+import { WIRINGS } from "../src/wiring";
 
 // Tests are bundled below target/uno or target/lab, and the firmware into target/firmware.
 const target = import.meta.url.slice(0, import.meta.url.lastIndexOf("/target/") + 8);
@@ -22,9 +24,15 @@ export function firmwareBytes(): Uint8Array {
 }
 
 export function firmware(): Uint16Array {
-  const flash = readHex(firmwareHex());
+  const flash = readHex(firmwareHex(), WIRINGS.uno.chip.flash);
   if (!flash) throw new Error("the firmware is no Intel hex");
   return flash;
+}
+
+/** Where the tested firmware has what slow motion asks of it. */
+export function places(): Places {
+  const symbols = readFileSync(fileURLToPath(new URL("../firmware/unoclp-uno.symbols", target)), "utf8");
+  return placesOf(symbols);
 }
 
 /** The image of a card with the program of this name: `cargo xtask test` puts those in `programs/` here on cards. */
@@ -71,7 +79,7 @@ export interface Fixture {
 /** A board with the firmware, before its plug goes in. */
 export function newBoard(flash = firmware()): Fixture {
   const notes = new Notes();
-  return { board: new Board(flash, notes), notes };
+  return { board: new Board("uno", flash, notes), notes };
 }
 
 /** The same, with the plug in, and a card with this program. */

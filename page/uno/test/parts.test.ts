@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Agenda } from "../src/agenda";
 import { Contacts } from "../src/contacts";
+import { ATMEGA2560, ATMEGA328P } from "../src/chip/model";
 import { readHex } from "../src/hex";
 import { Lamp } from "../src/lamp";
 import { Pace } from "../src/pace";
@@ -103,14 +104,18 @@ test("as fast as it goes has no end", () => {
   assert.deepEqual(pace.measure(250), { factor: 2, asked: Infinity });
 });
 
+const LENGTH = ATMEGA328P.flash;
+
 test("the firmware's hex is read to the byte, and nothing else passes", () => {
-  const flash = readHex(firmwareHex());
+  const flash = readHex(firmwareHex(), LENGTH);
   assert.ok(flash);
   // A jump to the start: the first instruction of a program for this chip.
   assert.equal(((flash[0] ?? 0) & 0xfe0e) === 0x940c || ((flash[0] ?? 0) & 0xf000) === 0xc000, true);
 
-  const words = readHex(":0400000001020304F2\r\n:00000001FF\r\n");
+  const words = readHex(":0400000001020304F2\r\n:00000001FF\r\n", LENGTH);
   assert.deepEqual([...(words?.subarray(0, 3) ?? [])], [0x0201, 0x0403, 0xffff]);
+  const far = readHex(":020000021000EC\n:0100000001FE\n:00000001FF\n", ATMEGA2560.flash);
+  assert.equal(far?.[0x8000], 0xff01);
   for (const wrong of [
     "",
     "no hex",
@@ -118,9 +123,9 @@ test("the firmware's hex is read to the byte, and nothing else passes", () => {
     ":0400000001020304F3\n:00000001FF\n",
     ":0500000001020304F2\n:00000001FF\n",
     ":047FFE000102030475\n:00000001FF\n",
-    ":020000021000EC\n:00000001FF\n",
+    ":020000021000EC\n:0100000001FE\n:00000001FF\n",
     "x".repeat(1_000_000),
   ]) {
-    assert.equal(readHex(wrong), null, wrong.slice(0, 40));
+    assert.equal(readHex(wrong, LENGTH), null, wrong.slice(0, 40));
   }
 });

@@ -3,7 +3,8 @@
 import { CPU } from "avr8js";
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { RAM_LEN, UBRRL, UCSRA, UCSRB, UCSRC, UDR } from "../src/chip/registers";
+import { ATMEGA328P } from "../src/chip/model";
+import { UBRRL, UCSRA, UCSRB, UCSRC, UDR } from "../src/chip/registers";
 import { Usart } from "../src/chip/usart";
 import { type Setting, lengthOf, read, settingOf } from "../src/serial";
 
@@ -37,9 +38,9 @@ const [RXC, TXC, UDRE, FE, DOR, UPE] = [1 << 7, 1 << 6, 1 << 5, 1 << 4, 1 << 3, 
 
 /** A port at 115200 baud 8N1, with receiver and transmitter on. */
 function port(): { cpu: CPU; usart: Usart; sent: number[]; status: () => number; pass: (cycles: number) => void } {
-  const cpu = new CPU(new Uint16Array(64), RAM_LEN);
+  const cpu = new CPU(new Uint16Array(64), ATMEGA328P.ramLen);
   const sent: number[] = [];
-  const usart = new Usart(cpu, (byte) => sent.push(byte));
+  const usart = new Usart(cpu, ATMEGA328P.received, (byte) => sent.push(byte));
   cpu.writeData(UCSRA, 2);
   cpu.writeData(UBRRL, 16);
   cpu.writeData(UCSRB, RXEN | TXEN);

@@ -106,7 +106,7 @@ test("what the EEPROM holds is told, and given back to another session", () => {
 
   const next = new Desk();
   next.obey(
-    { kind: "firmware", bytes: firmwareBytes() },
+    { kind: "firmware", board: "uno", bytes: firmwareBytes() },
     { kind: "eeprom", bytes },
     { kind: "plug", on: true },
     { kind: "run" },
@@ -140,7 +140,7 @@ test("the plug is pulled in the middle of a write", () => {
 
 test("a second firmware keeps what the EEPROM holds", () => {
   const desk = running("memory");
-  desk.obey({ kind: "card", image: null }, { kind: "firmware", bytes: firmwareBytes() }, { kind: "plug", on: true });
+  desk.obey({ kind: "card", image: null }, { kind: "firmware", board: "uno", bytes: firmwareBytes() }, { kind: "plug", on: true });
   desk.events = [];
   desk.pass(1000);
   assert.match(desk.text(), /the program that was stored runs/);
@@ -151,7 +151,7 @@ test("commands that make no sense are told as trouble, and change nothing", () =
   const troubles: [Command, string][] = [
     [{ kind: "plug", on: true }, "no-firmware"],
     [{ kind: "eeprom", bytes: new Uint8Array(1024) }, "bad-eeprom"],
-    [{ kind: "firmware", bytes: new Uint8Array(40_000) }, "bad-firmware"],
+    [{ kind: "firmware", board: "uno", bytes: new Uint8Array(40_000) }, "bad-firmware"],
     [{ kind: "card", image: new Uint8Array(100) }, "bad-card"],
     [{ kind: "card", image: new Uint8Array(0) }, "bad-card"],
     [{ kind: "speed", factor: 0 }, "bad-value"],
@@ -169,7 +169,7 @@ test("commands that make no sense are told as trouble, and change nothing", () =
     desk.obey(command);
     assert.deepEqual(desk.events, [{ kind: "trouble", trouble }], JSON.stringify(command));
   }
-  desk.obey({ kind: "firmware", bytes: firmwareBytes() }, { kind: "plug", on: true });
+  desk.obey({ kind: "firmware", board: "uno", bytes: firmwareBytes() }, { kind: "plug", on: true });
   desk.events = [];
   desk.obey({ kind: "eeprom", bytes: new Uint8Array(1024) });
   assert.deepEqual(desk.of("trouble"), [{ kind: "trouble", trouble: "bad-eeprom" }]);
@@ -180,7 +180,7 @@ test("a program that does what is not simulated ends with the plug pulled, and w
   // ldi r16, 1; sts TCCR0A, r16 (a mode that counts up and down); sts TCCR0B, r16; rjmp to itself.
   const words = "01E0" + "0093" + "4400" + "0093" + "4500" + "FFCF";
   const bytes = Uint8Array.from(words.match(/../g) ?? [], (byte) => parseInt(byte, 16));
-  desk.obey({ kind: "firmware", bytes }, { kind: "plug", on: true }, { kind: "run" });
+  desk.obey({ kind: "firmware", board: "uno", bytes }, { kind: "plug", on: true }, { kind: "run" });
   desk.pass(100);
   assert.deepEqual(desk.of("trouble"), [{ kind: "trouble", trouble: "broken" }]);
   assert.deepEqual(desk.of("power").map(({ on }) => on), [true, false]);

@@ -7,12 +7,12 @@ import { test } from "node:test";
 import { H, S, SREG, V, Z } from "../src/chip/flags";
 import { KINDS, Kind } from "../src/chip/opcodes";
 import { SP, constant, other, upper } from "../src/chip/operands";
-import { RAM, RAM_LEN } from "../src/chip/registers";
 import { type Span, execute } from "../src/chip/step";
-import { FLASH_LEN } from "../src/hex";
+import { ATMEGA328P } from "../src/chip/model";
 import { Random } from "./random";
 
-const WORDS = FLASH_LEN / 2;
+const { ram: RAM, ramLen: RAM_LEN } = ATMEGA328P;
+const WORDS = ATMEGA328P.flash / 2;
 /** What may stand after a skip: one word, and each of two. */
 const NEXT = [0x0000, 0x9000, 0x91f0, 0x9200, 0x93f0, 0x940e, 0x95ff, 0x940c, 0x95fd, 0x9408, 0x9409, 0xffff];
 /** Pointers that an instruction moves; what becomes of one that it reads or writes too, the manual leaves open. */
@@ -51,7 +51,7 @@ function hooked(): { cpu: CPU; seen: number[] } {
 }
 
 function one(cpu: CPU): void {
-  execute(cpu, { until: cpu.cycles + 1, due: Infinity }, -1);
+  execute(cpu, { until: cpu.cycles + 1, due: Infinity }, -1, RAM);
 }
 
 /** The operands of an opcode that adds or subtracts 8 bits, or nothing. */
@@ -174,7 +174,7 @@ test("many instructions at once are the same as one by one", () => {
     const start = round * 2 ** 28;
     for (const { cpu } of [many, single]) cpu.cycles = start;
     for (const until of [start + 1, start + 200, start + 20_000]) {
-      execute(many.cpu, { until, due: Infinity }, -1);
+      execute(many.cpu, { until, due: Infinity }, -1, RAM);
       while (single.cpu.cycles < until) one(single.cpu);
       assert.deepEqual([many.cpu.pc, many.cpu.cycles], [single.cpu.pc, single.cpu.cycles], `round ${round}`);
       assert.equal(Buffer.compare(many.cpu.data, single.cpu.data), 0, `round ${round}`);
@@ -183,7 +183,7 @@ test("many instructions at once are the same as one by one", () => {
   }
 });
 
-/** A chip that counts for ever: `inc r16`, `out 0x1e, r16`, `rjmp` to the first; four cycles. */
+/** A chip that counts forever: `inc r16`, `out 0x1e, r16`, `rjmp` to the first; four cycles. */
 function counting(): CPU {
   const cpu = new CPU(new Uint16Array(WORDS), RAM_LEN);
   cpu.progMem.set([0x9503, 0xbb0e, 0xcffd]);
@@ -192,9 +192,9 @@ function counting(): CPU {
 
 test("it ends at the word that is named", () => {
   const cpu = counting();
-  execute(cpu, { until: 1000, due: Infinity }, 2);
+  execute(cpu, { until: 1000, due: Infinity }, 2, RAM);
   assert.deepEqual([cpu.pc, cpu.cycles], [2, 2]);
-  execute(cpu, { until: 1000, due: Infinity }, 2);
+  execute(cpu, { until: 1000, due: Infinity }, 2, RAM);
   assert.deepEqual([cpu.pc, cpu.cycles, cpu.data[16]], [2, 6, 2]);
 });
 
@@ -206,11 +206,11 @@ test("it ends where something is due, also where that comes about meanwhile", ()
     if (value === 12) span.until = 0;
     return false;
   };
-  execute(cpu, span, -1);
+  execute(cpu, span, -1, RAM);
   // The seventh `out` begins at 25.
   assert.deepEqual([cpu.data[16], cpu.cycles], [8, 30]);
   span.due = Infinity;
-  execute(cpu, span, -1);
+  execute(cpu, span, -1, RAM);
   assert.deepEqual([cpu.data[16], cpu.cycles], [12, 46]);
 });
 
@@ -221,9 +221,9 @@ test("while an interrupt waits, each instruction ends it", () => {
     return false;
   };
   const span: Span = { until: 1000, due: Infinity };
-  execute(cpu, span, -1);
+  execute(cpu, span, -1, RAM);
   assert.deepEqual([cpu.data[16], cpu.pc], [3, 2]);
-  execute(cpu, span, -1);
+  execute(cpu, span, -1, RAM);
   assert.equal(cpu.pc, 0);
 });
 

@@ -3,7 +3,7 @@
 import { AVRTimer, type AVRTimerConfig, CPU, timer0Config, timer1Config, timer2Config } from "avr8js";
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { RAM_LEN } from "../src/chip/registers";
+import { ATMEGA328P } from "../src/chip/model";
 import { Timer } from "../src/chip/timer";
 import { Random } from "./random";
 
@@ -32,7 +32,7 @@ const MODES_16: readonly Mode[] = [
 
 /** A timer on a processor of its own, whose flags are noted and cleared in each cycle. */
 class Run {
-  readonly cpu = new CPU(new Uint16Array(64), RAM_LEN);
+  readonly cpu = new CPU(new Uint16Array(64), ATMEGA328P.ramLen);
   /** Cycles at which flags rose, by flag. */
   readonly rose = new Map<number, number[]>();
 
@@ -118,7 +118,7 @@ for (const [name, config] of Object.entries(TIMERS)) {
 }
 
 test("without an interrupt or a pin that waits there is no event, and flags and count are right when they are read", () => {
-  const cpu = new CPU(new Uint16Array(64), RAM_LEN);
+  const cpu = new CPU(new Uint16Array(64), ATMEGA328P.ramLen);
   new Timer(cpu, timer2Config);
   cpu.writeData(timer2Config.OCRA, 27);
   cpu.writeData(timer2Config.OCRB, 200);
@@ -140,7 +140,7 @@ test("without an interrupt or a pin that waits there is no event, and flags and 
 });
 
 test("a count that was written beyond the end goes on to the highest", () => {
-  const cpu = new CPU(new Uint16Array(64), RAM_LEN);
+  const cpu = new CPU(new Uint16Array(64), ATMEGA328P.ramLen);
   new Timer(cpu, timer0Config);
   cpu.writeData(timer0Config.TCCRA, 2);
   cpu.writeData(timer0Config.OCRA, 10);
@@ -157,7 +157,7 @@ test("a count that was written beyond the end goes on to the highest", () => {
 });
 
 test("a mode that is not simulated is an error once it counts", () => {
-  const cpu = new CPU(new Uint16Array(64), RAM_LEN);
+  const cpu = new CPU(new Uint16Array(64), ATMEGA328P.ramLen);
   new Timer(cpu, timer0Config);
   cpu.writeData(timer0Config.TCCRA, 1);
   assert.throws(() => {

@@ -8,7 +8,8 @@ import { gzipSync } from "node:zlib";
 
 /** What the page loads besides its own script; of each other file of the folder only `site.html` knows, or a browser's cache. */
 const HELD = [
-  "unoclp.wasm", "unoclp-full.wasm", "unoclp.bin", "unoclp.hex", "unoclp-nano.hex", "chart.css", "draw.css", "project.css",
+  "unoclp.wasm", "unoclp-full.wasm", "unoclp.bin", "unoclp.hex", "unoclp-nano.hex", "unoclp-mega.bin", "unoclp-mega.hex",
+  "chart.css", "draw.css", "project.css", "slow.css", "slow.json",
   "lessons.json", "exercises.json", "machines.json", "examples.json",
 ];
 

@@ -4,9 +4,9 @@
 //! what was sent, where the program is (`page/uno/src/engine/main.ts` has the form of both). So a scan takes one answer.
 //! A write to the EEPROM takes 4 µs there, not 3.4 ms: keeping a program would take seconds of each start.
 
-use crate::chip::FLASH_LEN;
+use crate::chip::Chip;
 use crate::engine::{EngineError, Simulated};
-use crate::pins::PinRegisters;
+use crate::pins::Levels;
 use crate::{Error, Halt, Program, Pwm};
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
@@ -18,10 +18,6 @@ const EEPROM_WRITE: u32 = 64;
 const NOWHERE: u32 = u32::MAX;
 /// Bytes of a card's block.
 const BLOCK: usize = 512;
-/// Registers and RAM.
-const DATA_LEN: usize = 0x900;
-/// First address of the RAM.
-const RAM: u32 = 0x100;
 /// Register of timer 1's interrupts.
 const TIMSK1: u16 = 0x6F;
 
@@ -34,12 +30,38 @@ mod request {
     pub const ANALOGUE: u8 = 5;
     pub const SEND: u8 = 6;
     pub const RUN: u8 = 7;
+    pub const SLOW: u8 = 8;
+    pub const TRAIL: u8 = 9;
 }
 
 /// How a run ended.
 mod ended {
     pub const TIME_OVER: u8 = 0;
     pub const THERE: u8 = 1;
+}
+
+/// The symbols by which a scan goes in slow motion: `Places` in `page/uno/src/slow/linked.ts`.
+const PLACES: [&str; 7] = [
+    "engine_link",
+    "link_one",
+    "link_flush",
+    "link_put",
+    "engine_end",
+    "scan_begin",
+    "ENGINE_MORE_INPUTS",
+];
+
+/// How the engine stood between two instructions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Seam {
+    /// The instruction that comes next, from 0.
+    pub step: usize,
+    /// The result of the rung so far (NC-6).
+    pub acc: bool,
+    /// How many values are pushed (NC-22).
+    pub pushed: u8,
+    /// The value accumulator (NC-16).
+    pub value: i32,
 }
 
 /// A board in a process of Node, which ends with it.
@@ -52,7 +74,7 @@ pub struct Avr8js {
     broken: Option<io::Error>,
     data: Vec<u8>,
     serial: Vec<u8>,
-    moved: u8,
+    moved: u32,
     cycles: u64,
 }
 
@@ -82,14 +104,18 @@ impl Avr8js {
             answers,
             program: program.clone(),
             broken: None,
-            data: vec![0; DATA_LEN],
+            data: vec![0; program.chip().ram_end() as usize + 1],
             serial: Vec::new(),
             moved: 0,
             cycles: 0,
         };
         let mut flash = program.flash.clone();
-        flash.resize(FLASH_LEN, 0xFF);
-        board.request(request::FIRMWARE, &[&flash]);
+        flash.resize(program.chip().flash_len(), 0xFF);
+        let kind = match program.chip() {
+            Chip::Atmega328p => 0,
+            Chip::Atmega2560 => 1,
+        };
+        board.request(request::FIRMWARE, &[&[kind], &flash]);
         Ok(board)
     }
 
@@ -130,6 +156,51 @@ impl Avr8js {
         self.request(request::WRITE, &[&head, bytes]);
     }
 
+    /// From now on each scan goes from one seam of its program to the next.
+    ///
+    /// # Errors
+    /// Where the firmware lacks a symbol, or the board keeps no program.
+    pub fn go_slowly(&mut self) -> Result<(), EngineError> {
+        let mut places = Vec::new();
+        for name in PLACES {
+            let symbol = self.program.symbol(name);
+            let address = symbol.ok_or(EngineError::NoSymbol(name))?.address & 0xFFFF;
+            places.extend(address.to_le_bytes());
+        }
+        self.request(request::SLOW, &[&places]);
+        match self.answer::<1>()? {
+            [0] => Err(EngineError::NoProgram),
+            _ => Ok(()),
+        }
+    }
+
+    /// How the engine stood at each seam since this was asked last.
+    ///
+    /// # Errors
+    /// Where the process is gone.
+    pub fn trail(&mut self) -> Result<Vec<Seam>, EngineError> {
+        self.request(request::TRAIL, &[]);
+        let count = u16::from_le_bytes(self.answer()?);
+        let seams = (0..count).map(|_| {
+            let [low, high, acc, pushed, value @ ..] = self.answer::<8>()?;
+            Ok(Seam {
+                step: u16::from_le_bytes([low, high]).into(),
+                acc: acc != 0,
+                pushed,
+                value: i32::from_le_bytes(value),
+            })
+        });
+        seams.collect()
+    }
+
+    fn answer<const N: usize>(&mut self) -> Result<[u8; N], EngineError> {
+        let read = self.requests.flush().and_then(|()| self.read());
+        read.map_err(|error| {
+            let reason = error.to_string();
+            EngineError::Halt(Halt::Simulator { reason }, String::new())
+        })
+    }
+
     /// Runs, and says whether it came to the address.
     fn run(&mut self, address: u32, cycles: u64) -> Result<bool, Halt> {
         let cycles = u32::try_from(cycles).unwrap_or(u32::MAX);
@@ -160,7 +231,8 @@ impl Avr8js {
 
     /// How it ended, what was said, and where the program is.
     fn read_answer(&mut self) -> io::Result<(u8, Vec<u8>, u32)> {
-        let [how, moved] = self.read()?;
+        let [how] = self.read()?;
+        let moved = u32::from_le_bytes(self.read()?);
         let place = u32::from_le_bytes(self.read()?);
         let cycles = f64::from_le_bytes(self.read()?);
         let mut said = vec![0; u32::from_le_bytes(self.read()?) as usize];
@@ -233,7 +305,8 @@ impl Simulated for Avr8js {
 
     fn write_ram(&mut self, address: u32, bytes: &[u8]) -> Result<(), Error> {
         let (at, len) = (address as usize, bytes.len());
-        let cells = self.data.get_mut(at..at + len).filter(|_| address >= RAM);
+        let ram = self.program.chip().ram_start();
+        let cells = self.data.get_mut(at..at + len).filter(|_| address >= ram);
         let cells = cells.ok_or(Error::OutOfRange {
             memory: "RAM",
             address,
@@ -245,7 +318,7 @@ impl Simulated for Avr8js {
     }
 
     fn set_inputs(&mut self, closed: u32) {
-        self.request(request::INPUTS, &[&[closed as u8]]);
+        self.request(request::INPUTS, &[&closed.to_le_bytes()]);
     }
 
     fn set_reading(&mut self, index: usize, reading: u16) {
@@ -265,7 +338,7 @@ impl Simulated for Avr8js {
     }
 
     fn outputs(&self) -> u32 {
-        PinRegisters::of_data(&self.data).levels().outputs
+        Levels::of_data(self.program.chip(), &self.data).outputs
     }
 
     fn moved_output(&self) -> Option<u8> {
@@ -273,12 +346,13 @@ impl Simulated for Avr8js {
     }
 
     fn pwm(&self, index: usize) -> Option<Pwm> {
-        let pwm = match index {
-            0 => Pwm::of_timer_0(&self.data),
-            3 => Pwm::of_timer_1(&self.data),
+        let pwm = match (self.program.chip(), index) {
+            (Chip::Atmega2560, _) => Pwm::of_mega(&self.data, index),
+            (Chip::Atmega328p, 0) => Pwm::of_timer_0(&self.data),
+            (Chip::Atmega328p, 3) => Pwm::of_timer_1(&self.data),
             _ => None,
         };
-        let driven = PinRegisters::of_data(&self.data).levels().is_output;
+        let driven = Levels::of_data(self.program.chip(), &self.data).is_output;
         pwm.filter(|_| driven >> index & 1 == 1)
     }
 }

@@ -119,6 +119,14 @@ impl Chip {
         }
     }
 
+    /// The first of those of USART1, which a bus stands at.
+    pub(crate) fn bus_interrupt(self) -> Option<u8> {
+        match self {
+            Chip::Atmega328p => None,
+            Chip::Atmega2560 => Some(36),
+        }
+    }
+
     /// The interrupt of the converter.
     pub(crate) fn conversion_interrupt(self) -> u8 {
         match self {

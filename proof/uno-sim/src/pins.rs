@@ -100,13 +100,6 @@ impl PinRegisters {
         PinRegisters::new(avr.eight_registers(reg::DDRB), avr.register(reg::SPCR))
     }
 
-    /// The same from a copy of data space; registers that it lacks are 0.
-    pub fn of_data(data: &[u8]) -> PinRegisters {
-        let register = |address: u16| data.get(usize::from(address)).copied().unwrap_or(0);
-        let ports = std::array::from_fn(|n| register(reg::DDRB + n as u16));
-        PinRegisters::new(ports, register(reg::SPCR))
-    }
-
     #[inline]
     fn new(ports: [u8; 8], spcr: u8) -> PinRegisters {
         const DDR_AND_PORT: u64 = u64::from_le_bytes([0xFF, 0xFF, 0, 0xFF, 0xFF, 0, 0xFF, 0xFF]);
@@ -143,6 +136,20 @@ pub(crate) struct Levels {
 }
 
 impl Levels {
+    /// Those of a copy of data space; registers that it lacks are 0.
+    pub fn of_data(chip: Chip, data: &[u8]) -> Levels {
+        let register = |address: u16| data.get(usize::from(address)).copied().unwrap_or(0);
+        match chip {
+            Chip::Atmega328p => {
+                let ports = std::array::from_fn(|n| register(reg::DDRB + n as u16));
+                PinRegisters::new(ports, register(reg::SPCR)).levels()
+            }
+            Chip::Atmega2560 => {
+                mega_levels(MEGA_PORTS.map(|ddr| [register(ddr), register(ddr + 1)]))
+            }
+        }
+    }
+
     /// The edges that lead from `self` to `next`.
     pub fn edges_to(self, next: Levels, cycle: u64) -> impl Iterator<Item = Edge> {
         let changed = self.outputs ^ next.outputs;

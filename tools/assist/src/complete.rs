@@ -4,7 +4,7 @@ use crate::meaning::Meaning;
 use crate::reader::Reader;
 use crate::{language, words};
 use std::collections::HashSet;
-use unoclp_lang::declarations::{Named, What};
+use unoclp_lang::outline::{Named, What};
 use unoclp_lang::typed::{Base, Role, Standard, functions};
 use unoclp_lang::{Colour, Lang, Span};
 use unoclp_program::Written;
@@ -302,7 +302,7 @@ impl Offers<'_, '_> {
     }
 
     fn standard(&mut self) {
-        // Only Structured Text calls functions of the norm by their names; other languages that have some say so themselves.
+        // Only Structured Text calls functions of the standard by their names; other languages that have some say so themselves.
         if !self.reader.language.vocabulary().contains(&"FUNCTION") {
             return;
         }

@@ -4,7 +4,7 @@ use crate::meaning::{Meaning, point};
 use crate::reader::Reader;
 use crate::{language, words};
 use std::collections::BTreeSet;
-use unoclp_lang::declarations::{Named, What};
+use unoclp_lang::outline::{Named, What};
 use unoclp_lang::typed::{Base, Role, Standard, functions};
 use unoclp_lang::{Lang, Lines, Span};
 use unoclp_program::{Source, list, point_names};
@@ -227,7 +227,7 @@ impl Told<'_, '_> {
     }
 }
 
-/// A block of the norm with its pins.
+/// A block of the standard with its pins.
 fn shape(block: Standard) -> String {
     let part = |wanted: Role| {
         let parts = block.parts().iter().filter(|part| part.2 == wanted);

@@ -2,14 +2,14 @@
 //!
 //! - [`complete()`]: what may stand at a place: names, members, types, blocks with their pins, keywords
 //! - [`hover()`]: what a word stands for, where it is on the board, what its line costs and does
-//! - [`declaration`], [`uses()`]: where a name comes from, and where it is used
-//! - [`rename()`]: the same program by another name
+//! - [`declaration`], [`uses()`]: where a name comes from, and where it is used, in all units of a project too
+//! - [`rename()`]: the same program by another name; [`declared`]: the place of a name that is known by its unit
 //! - [`format()`]: the same words, well placed
 //! - [`remedies()`]: what a diagnostic says one could do, done
 //! - [`symbols()`]: what a text declares
 //!
-//! The way of a text: `reader` (its words and declarations), `meaning` (what a word stands for), and then a file for each
-//! of the above. All of it holds for a text with mistakes too, and takes a time in proportion to it.
+//! The way of a text: `reading` (a project as one text), `reader` (its words and declarations), `meaning` (what a word
+//! stands for), and then a file for each of the above. All of it holds for a text with mistakes too, and takes a time in proportion to it.
 //!
 //! Owns what an editor knows of a text. Must not know files, protocols, screens, nor what a word of one language does: the
 //! registry's rows say it.
@@ -21,6 +21,7 @@ mod format;
 mod hover;
 mod meaning;
 mod reader;
+mod reading;
 mod remedies;
 mod rename;
 mod symbols;
@@ -33,7 +34,7 @@ pub use hover::{Hover, hover};
 pub use remedies::{Remedy, remedies};
 pub use rename::{NoRename, prepare, rename};
 pub use symbols::{Symbol, symbols};
-pub use uses::{Use, declaration, uses};
+pub use uses::{Use, declaration, declared, uses};
 
 use unoclp_lang::{Span, TextLanguage};
 use unoclp_program::{Written, WrittenIn};

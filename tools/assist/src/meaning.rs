@@ -1,9 +1,9 @@
 //! What a word of a text stands for.
 
 use crate::reader::Reader;
-use unoclp_lang::Colour;
-use unoclp_lang::declarations::What;
+use unoclp_lang::outline::What;
 use unoclp_lang::typed::{Base, Standard, functions, is_function};
+use unoclp_lang::{Colour, Span};
 use unoclp_point::{Address, Maker, read};
 
 /// What a word stands for.
@@ -11,11 +11,11 @@ use unoclp_point::{Address, Maker, read};
 pub(crate) enum Meaning {
     /// What the text declares, by its place in the outline.
     Declared(usize),
-    /// An input or output of a block of the norm.
+    /// An input or output of a block of the standard.
     Pin(Standard, &'static str),
     /// A parameter of a standard function.
     Parameter(&'static str, &'static str),
-    /// A block of the norm.
+    /// A block of the standard.
     Standard(Standard),
     /// A standard function, by its name in capitals.
     Function(String),
@@ -53,7 +53,15 @@ impl Reader<'_> {
         if let Some(pin) = self.pin(at) {
             return Some(pin);
         }
-        self.name(word.text, word.span.start)
+        let member = self.member_at(word.span).map(Meaning::Declared);
+        member.or_else(|| self.name(word.text, word.span.start))
+    }
+
+    /// The member of a structure that is declared there: no unit's name, so only its place tells it.
+    fn member_at(&self, span: Span) -> Option<usize> {
+        let named = &self.outline.named;
+        let at = named.binary_search_by_key(&span.start, |named| named.name.start);
+        at.ok().filter(|at| named[*at].what == What::Member)
     }
 
     /// What a name means at a byte of the text.
@@ -131,7 +139,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The type of what has one: a block of the norm, one of the text, a type of the text, an elementary type.
+    /// The type of what has one: a block of the standard, one of the text, a type of the text, an elementary type.
     pub fn type_of(&self, of: &Meaning) -> Option<Meaning> {
         let named = match of {
             Meaning::Standard(_) | Meaning::Base(_) => return Some(of.clone()),
@@ -244,7 +252,7 @@ fn parameter(function: &str, name: &str) -> Option<Meaning> {
     Some(Meaning::Parameter(function, parameter))
 }
 
-/// A point as a text of the norm writes it.
+/// A point as a text of the standard writes it.
 pub(crate) fn point(written: &str) -> Option<Address> {
     let plain: String = written.chars().filter(|c| !c.is_whitespace()).collect();
     read(&plain.to_ascii_uppercase(), Maker::Iec)?.address

@@ -1,7 +1,7 @@
 //! A text as its words and its declarations have it.
 
 use std::collections::HashMap;
-use unoclp_lang::declarations::{Named, Outline, What};
+use unoclp_lang::outline::{Named, Outline, What};
 use unoclp_lang::{Colour, Span, TextLanguage};
 
 /// A word of a text.

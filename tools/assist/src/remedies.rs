@@ -2,7 +2,7 @@
 
 use crate::reader::Reader;
 use crate::{Edit, language, words};
-use unoclp_lang::declarations::What;
+use unoclp_lang::outline::What;
 use unoclp_lang::typed::Base;
 use unoclp_lang::{Code, Diagnostic, Lang, Span, Word};
 use unoclp_program::Written;

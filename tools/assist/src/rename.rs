@@ -2,9 +2,11 @@
 
 use crate::meaning::Meaning;
 use crate::reader::Reader;
-use crate::{Edit, edited, language, words};
+use crate::reading::Reading;
+use crate::{Edit, edited, words};
 use unoclp_lang::{Lang, Span, is_name};
 use unoclp_program::Written;
+use unoclp_workspace::Analysis;
 
 /// Why nothing was renamed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,27 +35,29 @@ impl NoRename {
 
 /// The name at a byte, if it can be another.
 pub fn prepare(written: &Written, byte: u32) -> Option<Span> {
-    let text = written.text();
-    let reader = Reader::new(&text, language(written)?);
-    let at = reader.word_at(byte)?;
+    let reading = Reading::of(written)?;
+    let reader = reading.reader();
+    let at = reader.word_at(reading.byte(byte)?)?;
     let meaning = reader.meaning(at)?;
     let Meaning::Declared(_) = meaning else {
         return None;
     };
-    let uses = reader.uses(&meaning).into_iter();
+    let uses = reading.uses(&reader, &meaning).into_iter();
     let mut here = uses.filter(|own| own.span.start <= byte && byte <= own.span.end);
     here.next().map(|own| own.span)
 }
 
-/// What gives a name at a byte another. Of a text that is a program the other one has the same codes.
+/// What gives a name at a byte another, wherever it is used, in all units of a project too. Of a text that is a program the
+/// other one has the same codes.
 ///
 /// # Errors
 /// Where nothing can be renamed so.
-pub fn rename(written: &Written, byte: u32, name: &str) -> Result<Vec<Edit>, NoRename> {
-    let text = written.text();
-    let language = language(written).ok_or(NoRename::NothingThere)?;
-    let reader = Reader::new(&text, language);
-    let meaning = reader.word_at(byte).and_then(|at| reader.meaning(at));
+pub fn rename(analysis: &Analysis, byte: u32, name: &str) -> Result<Vec<Edit>, NoRename> {
+    let written = analysis.written();
+    let reading = Reading::of(written).ok_or(NoRename::NothingThere)?;
+    let reader = reading.reader();
+    let at = reading.byte(byte).and_then(|byte| reader.word_at(byte));
+    let meaning = at.and_then(|at| reader.meaning(at));
     let Some(meaning @ Meaning::Declared(declared)) = meaning else {
         return Err(NoRename::NothingThere);
     };
@@ -71,22 +75,21 @@ pub fn rename(written: &Written, byte: u32, name: &str) -> Result<Vec<Edit>, NoR
     if other.is_some_and(|other| other != declared) {
         return Err(refused(NoRename::Taken));
     }
-    let edits = reader.uses(&meaning).into_iter().map(|own| Edit {
+    let edits = reading.uses(&reader, &meaning).into_iter().map(|own| Edit {
         span: own.span,
         text: name.to_owned(),
     });
     let edits: Vec<Edit> = edits.collect();
-    match written.clone().check(None) {
-        Ok(before) => {
-            let mut after = written.clone();
-            after.bytes = edited(&text, &edits).into_bytes();
-            let after = after.check(None).ok();
+    match analysis.source() {
+        Some(before) => {
+            let after = analysis.with_text(edited(&written.text(), &edits));
+            let after = after.source();
             let is_same =
                 after.is_some_and(|after| after.program().stored() == before.program().stored());
             is_same.then_some(edits).ok_or(refused(NoRename::Another))
         }
         // What does not compile has no codes to compare: the name must be new to the whole text.
-        Err(_) => {
+        None => {
             let folded = reader.fold(name);
             let is_used = reader
                 .words

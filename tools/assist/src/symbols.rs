@@ -1,9 +1,8 @@
 //! What a text declares, as an editor lists it.
 
-use crate::language;
-use crate::reader::Reader;
+use crate::reading::Reading;
 use unoclp_lang::Span;
-use unoclp_lang::declarations::What;
+use unoclp_lang::outline::{Named, What};
 use unoclp_program::Written;
 
 /// A declaration.
@@ -25,20 +24,23 @@ pub struct Symbol {
 
 /// All declarations of a text in the order of their places.
 pub fn symbols(written: &Written) -> Vec<Symbol> {
-    let Some(language) = language(written) else {
+    let Some(reading) = Reading::of(written) else {
         return Vec::new();
     };
-    let text = written.text();
-    let reader = Reader::new(&text, language);
-    let symbol = |named: &unoclp_lang::declarations::Named| {
+    let reader = reading.reader();
+    let name = |named: &Named| reading.span(named.name).unwrap_or_default();
+    let symbol = |named: &Named| {
         let ty = named.ty.map_or("", |ty| reader.written(ty));
         let point = named.point.map_or("", |point| reader.written(point));
         Symbol {
             name: reader.written(named.name).to_owned(),
             what: named.what,
             detail: format!("{ty} {point}").trim().to_owned(),
-            at: named.name,
-            whole: named.whole.to(named.name),
+            at: name(named),
+            // A declaration of a project is spelled otherwise there.
+            whole: reading
+                .span(named.whole.to(named.name))
+                .unwrap_or(name(named)),
             within: named.within,
         }
     };

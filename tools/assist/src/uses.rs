@@ -1,8 +1,8 @@
 //! Where a name comes from, and where it is used.
 
-use crate::language;
 use crate::meaning::{Meaning, point};
 use crate::reader::Reader;
+use crate::reading::Reading;
 use unoclp_lang::{Colour, Span};
 use unoclp_program::Written;
 
@@ -19,10 +19,10 @@ pub struct Use {
 
 /// Where the text declares what stands at a byte of it.
 pub fn declaration(written: &Written, byte: u32) -> Option<Span> {
-    let text = written.text();
-    let reader = Reader::new(&text, language(written)?);
-    let at = reader.word_at(byte)?;
-    match reader.meaning(at)? {
+    let reading = Reading::of(written)?;
+    let reader = reading.reader();
+    let at = reader.word_at(reading.byte(byte)?)?;
+    let span = match reader.meaning(at)? {
         Meaning::Declared(at) => reader.named(at).map(|named| named.name),
         Meaning::Point(address) => {
             let named = reader.outline.named.iter();
@@ -31,18 +31,51 @@ pub fn declaration(written: &Written, byte: u32) -> Option<Span> {
             named.next().map(|named| named.name)
         }
         _ => None,
-    }
+    };
+    reading.span(span?)
+}
+
+/// Where a name is declared that is known by what it belongs to, as a tree of units shows it: a variable `of` a unit (or a
+/// member of a type) by both names; of none, a global variable, a unit or a type. In capitals or not, as the language has it.
+///
+/// It is the first byte of the name in the file. So whoever has a row of such a tree asks [`uses`] and
+/// [`rename`](crate::rename()) by it.
+pub fn declared(written: &Written, of: Option<&str>, name: &str) -> Option<u32> {
+    let reading = Reading::of(written)?;
+    let reader = reading.reader();
+    let of = match of {
+        Some(of) => Some(reader.find(None, of)?),
+        None => None,
+    };
+    let named = reader.named(reader.find(of, name)?)?;
+    Some(reading.span(named.name)?.start)
 }
 
 /// All places at which what stands at a byte is used, its declaration among them: a name, a member, a point, a block.
 pub fn uses(written: &Written, byte: u32) -> Vec<Use> {
-    let text = written.text();
-    let Some(language) = language(written) else {
+    let Some(reading) = Reading::of(written) else {
         return Vec::new();
     };
-    let reader = Reader::new(&text, language);
-    let meaning = reader.word_at(byte).and_then(|at| reader.meaning(at));
-    meaning.map_or_else(Vec::new, |meaning| reader.uses(&meaning))
+    let reader = reading.reader();
+    let at = reading.byte(byte).and_then(|byte| reader.word_at(byte));
+    let meaning = at.and_then(|at| reader.meaning(at));
+    let mut uses = meaning.map_or_else(Vec::new, |meaning| reading.uses(&reader, &meaning));
+    uses.sort_by_key(|own| own.span.start);
+    uses
+}
+
+impl Reading {
+    /// All places in the file of what has this meaning.
+    pub fn uses(&self, reader: &Reader<'_>, meaning: &Meaning) -> Vec<Use> {
+        let uses = reader.uses(meaning).into_iter();
+        let placed = |own: Use| {
+            Some(Use {
+                span: self.span(own.span)?,
+                ..own
+            })
+        };
+        uses.filter_map(placed).collect()
+    }
 }
 
 impl Reader<'_> {

@@ -4,11 +4,11 @@ use unoclp_lang::Lang;
 use unoclp_lang::typed::Standard;
 
 unoclp_words::messages! {
-    nothing_to_rename() "no name that this text declares is here; put the cursor on one" "não há aqui um nome que este texto declare; ponha o cursor em um";
-    no_name(name) "`{name}` cannot be a name; use letters, digits and _, and no keyword" "`{name}` não serve de nome; use letras, dígitos e _, e nenhuma palavra da linguagem";
+    nothing_to_rename() "there is no declared name here; put the cursor on one" "não há um nome declarado aqui; ponha o cursor em um";
+    no_name(name) "`{name}` cannot be a name; use letters, digits and _, and no keyword" "`{name}` não serve de nome; use letras, dígitos e _, e nenhuma palavra reservada";
     taken(name) "`{name}` is already used; choose another name" "`{name}` já está em uso; escolha outro nome";
-    another(name) "with the name `{name}` this would be another program; choose another name" "com o nome `{name}` este seria outro programa; escolha outro nome";
-    place(points) "stands at {points}" "fica em {points}";
+    another(name) "the name `{name}` would change the program; choose another name" "o nome `{name}` mudaria o programa; escolha outro nome";
+    place(points) "is at {points}" "fica em {points}";
     used(times, written) "used {times} times, written {written} times" "usado {times} vezes, escrito {written} vezes";
     never_written(times) "used {times} times, never written" "usado {times} vezes, nunca escrito";
     never_used() "never used" "nunca usado";
@@ -23,11 +23,11 @@ unoclp_words::messages! {
     insert_it(word) "Insert `{word}`" "Inserir `{word}`";
     declare(name, ty) "Declare `{name}` as {ty}" "Declarar `{name}` como {ty}";
     program() "program" "programa";
-    function_block() "function block" "bloco de função";
+    function_block() "function block" "bloco de funções";
     function() "function" "função";
     a_type() "type" "tipo";
     value_of() "value of an enumeration" "valor de uma enumeração";
-    step() "step" "passo";
+    step() "step" "etapa";
     transition() "transition" "transição";
     action() "action" "ação";
     label() "label" "rótulo";
@@ -39,12 +39,12 @@ unoclp_words::messages! {
     down() "counts down when CD rises; Q is 1 when CV is 0 or less; LD loads PV" "conta para baixo quando CD sobe; Q fica em 1 quando CV é 0 ou menor; LD carrega PV";
     both_ways() "counts up with CU and down with CD; R clears CV, LD loads PV" "conta para cima com CU e para baixo com CD; R zera CV, LD carrega PV";
     pulse() "Q is 1 for the time PT, from when IN rises" "Q fica em 1 pelo tempo PT, desde que IN sobe";
-    on_delay() "Q follows when IN has been 1 for the time PT" "Q segue quando IN está em 1 há o tempo PT";
+    on_delay() "Q follows once IN has been 1 for the time PT" "Q segue quando IN está em 1 há o tempo PT";
     off_delay() "Q stays 1 for the time PT after IN falls" "Q fica em 1 pelo tempo PT depois que IN cai";
-    retentive() "Q follows when IN has been 1 for PT in all; a reset clears the time" "Q segue quando IN ficou em 1 por PT ao todo; um reset zera o tempo";
+    retentive() "Q follows once IN has been 1 for PT in total; a reset clears the time" "Q segue quando IN ficou em 1 por PT ao todo; um reset zera o tempo";
 }
 
-/// What a function block of the norm does.
+/// What a function block of the standard does.
 pub(crate) fn block(block: Standard, lang: Lang) -> String {
     match block.plain() {
         Standard::Sr => sr(lang),

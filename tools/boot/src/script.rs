@@ -32,7 +32,7 @@ mod v2 {
     pub const SIGNATURE: u8 = 0x30;
 }
 
-/// `nop` and `rjmp .-4`, for ever: a jump to itself alone is what simulators take for a crash.
+/// `nop` and `rjmp .-4`, forever: a jump to itself alone is what simulators take for a crash.
 const STALL: [u8; 4] = [0x00, 0x00, 0xFE, 0xCF];
 
 /// A request and the answer to it.

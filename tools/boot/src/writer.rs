@@ -172,7 +172,7 @@ impl Writer {
     }
 
     /// Goes on, at the time `now` since any moment, with the bytes that have come since the last step. After its end
-    /// it waits for ever.
+    /// it waits forever.
     pub fn step(&mut self, now: Duration, came: &[u8]) -> Step {
         let mut send = Vec::new();
         let next = match self.go_on(now, came, &mut send) {

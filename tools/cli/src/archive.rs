@@ -1,4 +1,4 @@
-//! What the points of a site were, for who asks over HTTP.
+//! The history of the points of a site, over HTTP.
 
 use std::sync::{Mutex, PoisonError};
 use unoclp_history::{Database, Failure, Query, Row, Store};

@@ -28,7 +28,7 @@ use unoclp_lang::Lang;
 pub(crate) struct Arguments {
     #[command(subcommand)]
     command: Command,
-    /// The language in which everything is told; else that of the environment
+    /// The language of the messages; without it, that of the environment
     // `asked` has read it before.
     #[arg(long, global = true, value_parser = langs())]
     lang: Option<Lang>,
@@ -55,11 +55,11 @@ enum Command {
         #[command(flatten)]
         wording: Wording,
     },
-    /// Give the points of a text that a board lacks a place on it, in a copy
+    /// Move the points that a board lacks to free ones, in a copy of a text
     Adapt {
         /// The text: Instruction List (.il) or Structured Text (.st, .scl); - reads it from standard input
         file: PathBuf,
-        /// Where to write the copy, over nothing that is there; to standard output without it, and for -
+        /// Where to write the copy, as a new file; to standard output without it, and for -
         #[arg(short, long, value_name = "COPY")]
         output: Option<PathBuf>,
         #[command(flatten)]
@@ -82,7 +82,7 @@ enum Command {
         /// Draw the ladder diagram into this file, as vector graphics
         #[arg(long, value_name = "OUT.svg")]
         svg: Option<PathBuf>,
-        /// On pages of this paper, for a report: OUT.svg, or OUT-1.svg and so on where it takes several
+        /// On pages of this paper, for a report: OUT.svg, or OUT-1.svg and so on if there are several
         #[arg(long, value_name = "PAPER", value_enum, requires = "svg")]
         paper: Option<Paper>,
         /// The title of these pages; without it, the first comment of the program
@@ -102,10 +102,10 @@ enum Command {
         /// Run this scenario without a terminal: print what changes, and compare it
         #[arg(long, value_name = "S.toml")]
         scenario: Option<PathBuf>,
-        /// Run this case of the scenario alone, counted from 1
+        /// Run only this case of the scenario, counted from 1
         #[arg(long, value_name = "N", requires = "scenario", value_parser = clap::value_parser!(u16).range(1..))]
         case: Option<u16>,
-        /// Draw what was pressed, expected and came into this file, as a timing diagram; of a machine, pictures of it
+        /// Draw what was pressed, what was expected and what came into this file, as a timing diagram; of a machine, pictures
         #[arg(long, value_name = "OUT.svg")]
         svg: Option<PathBuf>,
         /// Write the trace of all inputs, outputs and timers for a wave viewer
@@ -128,7 +128,7 @@ enum Command {
         #[command(flatten)]
         class: Class,
     },
-    /// Make wrong programs of an exercise's solution, and say which of them pass
+    /// Make wrong programs from an exercise's solution, and say which ones pass
     Mutants {
         /// The exercise: a scenario file with cases (.toml)
         exercise: PathBuf,
@@ -140,7 +140,7 @@ enum Command {
         #[command(flatten)]
         what: What,
     },
-    /// Put a program on a memory card, or on a new image of one
+    /// Put a program on a memory card, or on a new card image
     Card {
         /// The folder of a mounted card, or a new image file (.img)
         card: PathBuf,
@@ -154,7 +154,7 @@ enum Command {
         #[command(flatten)]
         wording: Wording,
     },
-    /// Put a program on a board, over its serial port, in place of a card
+    /// Upload a program to a board over its serial port, instead of using a card
     Upload {
         /// The program: {programs}; - reads it from standard input
         file: PathBuf,
@@ -178,7 +178,7 @@ enum Command {
         wording: Wording,
         #[command(flatten)]
         at: At,
-        /// Have the board let go all that is forced after so many seconds without a request
+        /// Have the board release all forced points after this many seconds without a request
         #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u8).range(1..=254))]
         end_forcing: Option<u8>,
     },

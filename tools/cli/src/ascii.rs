@@ -1,4 +1,4 @@
-//! What stands for other characters where the locale has no UTF-8.
+//! Replacements for characters where the locale has no UTF-8.
 
 use std::env;
 use unoclp_program::harmless_lines;
@@ -12,7 +12,7 @@ pub fn is_ascii() -> bool {
 }
 
 /// A picture as text, for those who read it by this locale: in ASCII where that has nothing else. Words of a program
-/// stand in it, in which nothing acts on a terminal.
+/// are in it, in which nothing acts on a terminal.
 pub fn picture(text: &str) -> String {
     let text = harmless_lines(text);
     match is_ascii() && !text.is_ascii() {

@@ -1,10 +1,10 @@
-//! A run of a machine as a moving picture (GIF).
+//! A run of a machine as an animated GIF.
 //!
 //! Owns how pictures become one. Must not know what they show.
 
 use unoclp_plant::Picture;
 
-/// A moving picture has no more pictures than these.
+/// An animation has no more pictures than these.
 const MOST: u64 = 240;
 /// Nor more than one each 100 ms, which a browser shows.
 const LEAST: u64 = 100;
@@ -20,7 +20,7 @@ mod made {
     use resvg::{tiny_skia, usvg};
     use std::sync::Arc;
 
-    /// A moving picture that is being made.
+    /// An animation that is being made.
     pub struct Film {
         options: usvg::Options<'static>,
         /// The pixels of each picture, and its size.

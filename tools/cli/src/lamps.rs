@@ -25,9 +25,9 @@ const SIDE: usize = 26;
 /// The columns from which on inputs and outputs with names stand side by side.
 const NAMED: u16 = 60;
 
-/// Inputs and outputs as they stand on a screen.
+/// Inputs and outputs as they are on a screen.
 pub(crate) struct Sides {
-    /// The columns of the inputs, if the outputs stand beside them and not below.
+    /// The columns of the inputs, if the outputs are beside them and not below.
     pub(crate) share: Option<u16>,
     pub(crate) inputs: Vec<Line<'static>>,
     pub(crate) outputs: Vec<Line<'static>>,
@@ -65,7 +65,7 @@ impl Sides {
         }
     }
 
-    /// Where both stand within this area, with their titles.
+    /// Where both are within this area, with their titles.
     pub(crate) fn areas(&self, area: Rect) -> [Rect; 2] {
         match self.share {
             Some(share) => {

@@ -1,4 +1,4 @@
-//! What the command line shows on a terminal, and how it gets at a board.
+//! What the command line shows on a terminal, and how it reaches a board.
 //!
 //! - [`run`]: the whole command, by the arguments of this process; `commands`: what each word of them does
 //! - [`panel`]: the simulator
@@ -8,7 +8,7 @@
 //! - `shared`: the page and the boards for browsers, with the feature `page`, until `ended` says so; [`site_file`]: which boards
 //! - `kept`: the journal and the history of a site; `archive`: the history for who asks over HTTP; `identity`: with which certificate; [`stores`]: where they are
 //! - `own`: a teacher's exercises and machines among those of the page
-//! - [`film`]: a run of a machine as a moving picture
+//! - [`film`]: a run of a machine as an animation
 //! - [`screen`]: what holds for every screen
 //! - [`ascii`]: what stands for other characters where the locale has no UTF-8
 //! - [`messages`]: what all of them say, in two languages

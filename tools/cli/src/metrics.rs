@@ -1,4 +1,4 @@
-//! What Prometheus is told of journal, history, broker and record. Its words are English everywhere, as those of the other metrics.
+//! The metrics of journal, history, broker and record for Prometheus. Its words are English everywhere, as those of the other metrics.
 
 use crate::kept::Kept;
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! What comes of a command.
+//! The outcome of a command.
 
 /// Whether what the command was asked about is well.
 pub type Outcome = anyhow::Result<bool>;

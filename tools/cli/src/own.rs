@@ -1,4 +1,4 @@
-//! A teacher's folder: its exercises and machines stand in the page before those that it has anyway. A file is read and checked
+//! A teacher's folder: its exercises and machines are in the page before those that it has anyway. A file is read and checked
 //! again only where it has changed.
 //!
 //! Owns which files of the folder are what, and the form in which the page takes them. Must not know who serves them.
@@ -32,7 +32,7 @@ pub struct Own {
     kept: Arc<Mutex<Arc<Found>>>,
 }
 
-/// What stands in it, as far as its files are the same.
+/// What is in it, as far as its files are the same.
 #[derive(Debug, Default)]
 struct Found {
     /// The files that say exercises and machines.
@@ -124,7 +124,7 @@ impl Own {
         serde_json::to_vec(&all).map_or(file, Cow::Owned)
     }
 
-    /// What stands in it now: read and checked again where a file has changed.
+    /// What is in it now: read and checked again where a file has changed.
     fn found(&self) -> Arc<Found> {
         let files = self.files();
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
@@ -197,7 +197,7 @@ impl Found {
         };
         let machine = exercise.plant.as_ref().map(|path| {
             let (name, text) = beside(path)?;
-            plant(&folder.join(path), &text, *board)?;
+            plant(&folder.join(path), &text, exercise.board)?;
             Ok((name, text))
         });
         // Where a fault is to be found, the program is right and given; else it is the solution.

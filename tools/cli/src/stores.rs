@@ -1,6 +1,6 @@
 //! Where journal and history of a site are.
 //!
-//! Owns what a site file's names mean on this PC. Must not know what stands there.
+//! Owns what a site file's names mean on this PC. Must not know what is there.
 
 use crate::messages;
 use crate::site_file::beside;

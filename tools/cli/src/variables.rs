@@ -35,12 +35,12 @@ impl Variables {
         Variables(own)
     }
 
-    /// Whether there are any: they then stand in place of registers and markers.
+    /// Whether there are any: they then are in place of registers and markers.
     pub fn any(&self) -> bool {
         !self.0.is_empty()
     }
 
-    /// Those that PRINT asks to show, where `read` gives what stands at a point.
+    /// Those that PRINT asks to show, where `read` gives what is at a point.
     pub fn watched(&self, read: impl Fn(Address) -> Option<i32>) -> Vec<Vec<Span<'static>>> {
         let watched = self.0.iter().filter(|variable| variable.is_watched);
         watched

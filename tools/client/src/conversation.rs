@@ -83,7 +83,7 @@ impl<'a, T> Conversation<'a, T> {
     }
 
     /// Goes on, at the time `now` since any moment, with the bytes that have come since the last step. After
-    /// its end a conversation waits for ever.
+    /// its end a conversation waits forever.
     pub fn step(&mut self, now: Duration, came: &[u8]) -> Step<T> {
         let mailbox = &self.mailbox;
         mailbox.now.set(now);

@@ -32,7 +32,7 @@ unoclp_words::messages! {
     refused_locked() "the board is locked against this" "a placa está bloqueada para isso";
     refused_address() "this board has no such point" "esta placa não tem esse ponto";
     refused_value() "the board does not accept that value" "a placa não aceita esse valor";
-    refused_now() "the board cannot do that now" "a placa não pode fazer isso agora";
+    refused_now() "the board cannot do that now" "a placa não consegue fazer isso agora";
     refused_busy()
         "the board is busy; if it has stored settings or programs too often, try again in an hour, or after a power cycle"
         "a placa está ocupada; se gravou ajustes ou programas vezes demais, tente de novo em uma hora, ou desligue e ligue a placa";
@@ -47,11 +47,11 @@ unoclp_words::messages! {
         "A5 is closed and holds the board in STOP"
         "A5 está fechado e segura a placa em STOP";
     refused_in_upload()
-        "an upload is in progress; a restart of the board drops it"
-        "há um envio em andamento; um reinício da placa o descarta";
+        "an upload is in progress; restart the board to cancel it"
+        "há um envio em andamento; reinicie a placa para cancelá-lo";
     refused_scan()
         "single scans work in STOP only; stop the board first"
-        "varreduras avulsas só em STOP; pare a placa antes";
+        "uma varredura única só é possível em STOP; pare a placa antes";
     commands_locked()
         "commands are locked on this board"
         "os comandos estão bloqueados nesta placa";
@@ -120,8 +120,8 @@ unoclp_words::messages! {
         "this board's firmware cannot send its program: it is an older one, or that of a Nano"
         "o firmware desta placa não envia o programa: é mais antigo, ou é o de um Nano";
     unread_other()
-        "the board sent no program that is known here; read it again"
-        "a placa não enviou um programa conhecido aqui; leia de novo";
+        "the board sent an unknown program; read it again"
+        "a placa enviou um programa desconhecido; leia de novo";
     no_rate(rate, rates)
         "a board does not support {rate} baud; it supports {rates}"
         "uma placa não aceita {rate} baud; ela aceita {rates}";

@@ -14,8 +14,8 @@ unoclp_words::messages! {
         "`{key}` takes another kind of value; write `{key} = {example}`"
         "`{key}` pede outro tipo de valor; escreva `{key} = {example}`";
     choice(key, given, known)
-        "`{key}` cannot be {given}; give {known}"
-        "`{key}` não pode ser {given}; dê {known}";
+        "`{key}` cannot be {given}; choose {known}"
+        "`{key}` não pode ser {given}; escolha {known}";
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use unoclp_assist as assist;
 use unoclp_assist::{Edit, Kind, Symbol};
 use unoclp_lang::Lang;
-use unoclp_lang::declarations::What;
+use unoclp_lang::outline::What;
 
 /// What cannot be answered, and why, in the words of the protocol.
 type Refusal = (ErrorCode, String);
@@ -171,7 +171,7 @@ impl Answers<'_> {
         let Some((open, byte)) = self.at(&asked.text_document_position) else {
             return Ok(Value::Null);
         };
-        let edits = assist::rename(open.analysis.written(), byte, &asked.new_name);
+        let edits = assist::rename(&open.analysis, byte, &asked.new_name);
         let edits = edits.map_err(|why| (ErrorCode::RequestFailed, why.message(self.lang)))?;
         let uri = asked.text_document_position.text_document.uri;
         Ok(json!(changes(uri, text_edits(&open, edits))))

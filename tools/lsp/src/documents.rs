@@ -96,11 +96,10 @@ impl Documents {
         // Where neither the name nor the text tells, the editor may know.
         let known = written.language.is_ok();
         let said = WrittenIn::named(&document.language).filter(|_| !known);
-        let version = self.workspace.set_text(written.or_in(said));
         Some(Open {
             places: document.places.clone(),
             version: document.version,
-            analysis: self.workspace.analysis(version)?,
+            analysis: self.workspace.open(written.or_in(said)),
         })
     }
 
@@ -128,4 +127,63 @@ fn floor(text: &str, mut at: usize) -> usize {
 fn name(uri: &Uri) -> String {
     let path = uri.as_str().split(['?', '#']).next().unwrap_or_default();
     path.rsplit('/').next().unwrap_or_default().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answers::Answers;
+    use crate::problems::problems;
+    use serde_json::json;
+    use unoclp_checked::Work;
+    use unoclp_lang::Lang;
+
+    const TEXT: &str =
+        "PROGRAM p\nVAR\n  lamp AT %QX0.0 : BOOL;\nEND_VAR\nlamp := TRUE;\nEND_PROGRAM\n";
+
+    #[test]
+    fn a_change_is_compiled_once_however_much_is_asked_of_it() {
+        let mut documents = Documents::new(Board::UNO);
+        let id = json!({ "uri": "file:///a.st", "languageId": "st", "version": 1, "text": TEXT });
+        let told = json!({ "textDocument": id });
+        let uri = documents.open(serde_json::from_value(told).unwrap());
+        let uri = uri.unwrap();
+        problems(&documents.get(&uri).unwrap(), Lang::En);
+        for (version, value) in [(2, "FALSE"), (3, "TRUE ")] {
+            let line = json!({ "start": { "line": 4, "character": 8 }, "end": { "line": 4, "character": if version == 2 { 12 } else { 13 } } });
+            let change = json!({
+                "textDocument": { "uri": "file:///a.st", "version": version },
+                "contentChanges": [{ "range": line, "text": value }],
+            });
+            let before = Work::done();
+            documents.change(serde_json::from_value(change).unwrap());
+            let wrong = problems(&documents.get(&uri).unwrap(), Lang::En);
+            assert!(wrong.is_empty(), "{wrong:?}");
+            let place = json!({
+                "textDocument": { "uri": "file:///a.st" },
+                "position": { "line": 4, "character": 2 },
+                "context": { "includeDeclaration": true, "diagnostics": [], "triggerKind": 1 },
+                "range": line,
+                "options": { "tabSize": 2, "insertSpaces": true },
+            });
+            let mut answers = Answers {
+                documents: &mut documents,
+                lang: Lang::En,
+            };
+            for asked in [
+                "completion",
+                "hover",
+                "definition",
+                "references",
+                "documentHighlight",
+                "documentSymbol",
+                "prepareRename",
+                "codeAction",
+            ] {
+                let answer = answers.answer(&format!("textDocument/{asked}"), place.clone());
+                assert!(answer.is_ok(), "{asked}: {answer:?}");
+            }
+            assert_eq!(Work::since(before).compiles, 1, "one didChange");
+        }
+    }
 }

@@ -5,7 +5,7 @@
 unoclp_words::messages! {
     range(key, from, to)
         "`{key}` is out of its range; give {from} to {to}"
-        "`{key}` está fora da faixa; dê de {from} a {to}";
+        "`{key}` está fora da faixa; informe de {from} a {to}";
     no_number(key, given)
         "`{key}` must be a whole number, and {given} is not one; write one without quotes"
         "`{key}` deve ser um número inteiro, e {given} não é; escreva um sem aspas";
@@ -50,13 +50,13 @@ unoclp_words::messages! {
         "{other} também comanda {point}; dê a cada um a sua entrada";
     shared_pin(point, other)
         "{point} shares its pin with {other}, which is in use; choose another input"
-        "{point} divide o pino com {other}, que está em uso; escolha outra entrada";
+        "{point} usa o mesmo pino que {other}, que está em uso; escolha outra entrada";
     both_ways(point)
         "{point} is used both with and without PWM; keep one of the two"
         "{point} é usada com PWM e sem; deixe só uma das formas";
     cycle(way)
-        "these parts depend on each other in a circle: {way}; remove one of the names"
-        "estes elementos dependem um do outro em círculo: {way}; tire um dos nomes";
+        "these parts depend on each other in a loop: {way}; remove one of the names"
+        "há uma dependência circular entre estes elementos: {way}; tire um dos nomes";
     no_condition(told, help)
         "this is not a condition in Structured Text: {told}{help}; write one like \"tank.level > 950 AND NOT drain.open\""
         "isto não é uma condição de Texto Estruturado: {told}{help}; escreva uma como \"tank.level > 950 AND NOT drain.open\"";

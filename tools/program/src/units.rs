@@ -1,4 +1,4 @@
-//! The units of a project, as lines in the words of the norm.
+//! The units of a project, as lines in the words of the standard.
 
 use crate::text::decode;
 use std::fmt::Write;

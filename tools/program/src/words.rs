@@ -40,8 +40,8 @@ unoclp_words::messages! {
         "write the file again; if you shortened it yourself, delete the comment [unoclp: …] in its first line"
         "grave o arquivo de novo; se foi você que o encurtou, apague o comentário [unoclp: …] na primeira linha";
     lost(parts) "A change in the drawing rewrites this text and loses: {parts}" "Uma mudança no desenho reescreve este texto e perde: {parts}";
-    lost_types() "declarations of types, blocks and arrays" "declarações de tipos, blocos e vetores";
-    lost_dialect(maker) "the words of {maker}" "as palavras de {maker}";
+    lost_types() "declarations of types, blocks and arrays" "declarações de tipos, blocos e matrizes";
+    lost_dialect(maker) "the mnemonics of {maker}" "os mnemônicos de {maker}";
     lost_comment(first) "the comment “{first}”" "o comentário “{first}”";
     lost_comments(count, first) "{count} lines of comments, such as “{first}”" "{count} linhas de comentários, como “{first}”";
     lacks(board, parts) "the {board} lacks {parts}" "faltam ao {board} {parts}";

@@ -133,7 +133,7 @@ impl Written {
         }
     }
 
-    /// The same of Instruction List of the norm, of which it is known what it comes to: its numeric code, and where the
+    /// The same of Instruction List of the standard, of which it is known what it comes to: its numeric code, and where the
     /// steps of that stand in it.
     ///
     /// # Errors

@@ -37,7 +37,7 @@ fn line(text: &mut String, at: i64, values: &[&str]) {
     text.push('\n');
 }
 
-/// A value as a spreadsheet takes it for a text, whatever it begins with.
+/// A value that a spreadsheet reads as text, whatever it begins with.
 fn quoted(value: &str) -> String {
     let is_formula = value.starts_with(['=', '+', '-', '@', '\t', '\r']);
     let value = match is_formula {

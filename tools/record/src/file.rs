@@ -6,9 +6,9 @@ use std::path::Path;
 use std::time::Duration;
 use unoclp_journal::Failure;
 
-/// Says that the file is one of these: `uncr`.
+/// Marks the file as one of these: `uncr`.
 const OURS: i64 = 0x756e_6372;
-/// The version of the form. A later one is refused as it is.
+/// The version of the form. A later one is rejected and left as it is.
 const VERSION: i64 = 1;
 /// How long another process may hold the file.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -32,7 +32,7 @@ const FORM: &str = "
 pub(crate) struct File(Connection);
 
 impl File {
-    /// Opens this file, and makes it where it is not there.
+    /// Opens this file, and creates it if it does not exist.
     ///
     /// # Errors
     /// [`Failure`]; the file is then as it was.
@@ -51,7 +51,7 @@ impl File {
         Ok(File(file))
     }
 
-    /// Makes this file, which is not there, the one after another, of which these were the last of each alarm.
+    /// Creates this file as the successor of another, whose last changes of each alarm these are.
     ///
     /// # Errors
     /// [`Failure`].
@@ -60,7 +60,7 @@ impl File {
         make(&mut file, before)
     }
 
-    /// The same to read alone, beside whoever writes.
+    /// The same, for reading only, while another process writes.
     ///
     /// # Errors
     /// [`Failure`].
@@ -116,7 +116,7 @@ impl File {
         Ok(())
     }
 
-    /// What has become of each alarm last.
+    /// The last change of each alarm.
     ///
     /// # Errors
     /// [`Failure`].
@@ -128,7 +128,7 @@ impl File {
         Ok(rows.collect::<Result<_, _>>()?)
     }
 
-    /// What became of alarms: the latest, in the order in which they were written.
+    /// Changes of alarms: the latest, in the order of writing.
     ///
     /// # Errors
     /// [`Failure`].
@@ -142,7 +142,7 @@ impl File {
         Ok(rows.collect::<Result<_, _>>()?)
     }
 
-    /// What was done: the latest, in the order in which it was written.
+    /// Actions: the latest, in the order of writing.
     ///
     /// # Errors
     /// [`Failure`].
@@ -165,7 +165,7 @@ impl File {
     }
 }
 
-/// The tables of a new file. How the alarms stood before has numbers below 1.
+/// The tables of a new file. Earlier states of the alarms have numbers below 1.
 fn make(file: &mut Connection, before: &[Happening]) -> Result<(), Failure> {
     let form = file.transaction()?;
     form.execute_batch(FORM)?;

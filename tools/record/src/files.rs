@@ -16,12 +16,12 @@ pub(crate) struct Files {
     /// Of the one that grows.
     number: u32,
     file: File,
-    /// How large all of it gets, bytes.
+    /// How large all files may become, bytes.
     bound: u64,
 }
 
 impl Files {
-    /// Opens the record at this path, and makes it where it is not there.
+    /// Opens the record at this path, and creates it if it does not exist.
     ///
     /// # Errors
     /// [`Failure`]; the files are then as they were.
@@ -72,7 +72,7 @@ impl Files {
         Ok(forget(&self.path, self.number))
     }
 
-    /// The same to read alone, beside whoever writes.
+    /// The same, for reading only, while another process writes.
     ///
     /// # Errors
     /// [`Failure`].
@@ -94,7 +94,7 @@ pub(crate) struct Reading {
 }
 
 impl Reading {
-    /// What has become of each alarm last.
+    /// The last change of each alarm.
     ///
     /// # Errors
     /// [`Failure`].
@@ -102,7 +102,7 @@ impl Reading {
         self.file.last()
     }
 
-    /// What became of alarms: the latest, in the order in which they were written.
+    /// Changes of alarms: the latest, in the order of writing.
     ///
     /// # Errors
     /// [`Failure`].
@@ -110,7 +110,7 @@ impl Reading {
         self.latest(asked, File::alarms)
     }
 
-    /// What was done: the latest, in the order in which it was written.
+    /// Actions: the latest, in the order of writing.
     ///
     /// # Errors
     /// [`Failure`].
@@ -224,7 +224,7 @@ mod tests {
         most: usize::MAX,
     };
 
-    /// All that is in the folder, bytes.
+    /// The size of the folder, bytes.
     fn bytes(folder: &Path) -> u64 {
         let files = fs::read_dir(folder).unwrap().flatten();
         files.map(|file| file.metadata().unwrap().len()).sum()

@@ -9,24 +9,24 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 use unoclp_journal::Failure;
 
-/// Rows that wait in memory for a file that takes nothing; of more, the newest are given up and counted.
+/// Rows that wait in memory while the file cannot be written; beyond that, the newest are dropped and counted.
 const WAITING: usize = 10_000;
-/// How often a file that takes nothing is tried again.
+/// How often a file that cannot be written is tried again.
 const AGAIN: Duration = Duration::from_secs(1);
 
-/// Hears when the file takes nothing, and why; and when it does again.
+/// Hears when and why the file cannot be written, and when it can be again.
 pub type Tell = Box<dyn Fn(Option<&Failure>) + Send>;
 
-/// How it stands with a file.
+/// The state of a file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct State {
     /// Rows that are written.
     pub written: u64,
-    /// Rows that were given up, as the file took nothing for too long, or that went as the oldest.
+    /// Rows that were dropped because the file could not be written for too long, or as the oldest.
     pub dropped: u64,
     /// How large the files are.
     pub bytes: u64,
-    /// Why the file takes nothing at present.
+    /// Why the file cannot be written at present.
     pub failure: Option<Failure>,
 }
 
@@ -52,7 +52,7 @@ impl std::fmt::Debug for Record {
 }
 
 impl Record {
-    /// Opens the record at this path, and makes it where it is not there. It gets as large as `bound` bytes; then the oldest
+    /// Opens the record at this path, and creates it if it does not exist. It gets as large as `bound` bytes; then the oldest
     /// half goes. `tell` hears when it takes nothing.
     ///
     /// # Errors
@@ -82,12 +82,12 @@ impl Record {
         })
     }
 
-    /// Something has become of an alarm.
+    /// An alarm has changed.
     pub fn alarm(&self, happening: Happening) {
         self.put(Row::Alarm(happening));
     }
 
-    /// Somebody has done something.
+    /// A user or client has acted.
     pub fn deed(&self, deed: Deed) {
         self.put(Row::Deed(deed));
     }
@@ -115,7 +115,7 @@ impl Record {
         }
     }
 
-    /// What has become of each alarm last.
+    /// The last change of each alarm.
     ///
     /// # Errors
     /// [`Failure`].
@@ -123,7 +123,7 @@ impl Record {
         Files::read(&self.path)?.last()
     }
 
-    /// What became of alarms.
+    /// Changes of alarms.
     ///
     /// # Errors
     /// [`Failure`].
@@ -131,7 +131,7 @@ impl Record {
         Files::read(&self.path)?.alarms(asked)
     }
 
-    /// What was done.
+    /// Actions.
     ///
     /// # Errors
     /// [`Failure`].
@@ -139,7 +139,7 @@ impl Record {
         Files::read(&self.path)?.deeds(asked)
     }
 
-    /// How it stands.
+    /// Its state.
     pub fn state(&self) -> State {
         lock(&self.state).clone()
     }

@@ -3,28 +3,28 @@
 /// A row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Row {
-    /// Something has become of an alarm.
+    /// An alarm has changed.
     Alarm(Happening),
-    /// Somebody has done something.
+    /// A user or client has acted.
     Deed(Deed),
 }
 
-/// What has become of an alarm.
+/// A change of an alarm.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Happening {
     /// The moment: ms since 1970, by the clock of the PC.
     pub at: i64,
     /// The alarm.
     pub alarm: String,
-    /// What has become of it: `came`, `gone`, `acknowledged`.
+    /// The change: `came`, `gone`, `acknowledged`.
     pub change: String,
-    /// How it stands from then on.
+    /// Its state from then on.
     pub state: String,
-    /// Who has done it, where somebody has.
+    /// Who did it, if somebody did.
     pub who: Option<String>,
 }
 
-/// What somebody did.
+/// An action of a user or client.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Deed {
     /// The moment: ms since 1970, by the clock of the PC.
@@ -48,6 +48,6 @@ pub struct Asked {
     pub from: i64,
     /// and until before this one.
     pub to: i64,
-    /// At most so many, the latest.
+    /// At most this many, the latest.
     pub most: usize,
 }

@@ -69,7 +69,7 @@ impl Holding {
         self.pressed().retain(|of| of.grant != *grant);
     }
 
-    /// Lets go in time, for ever.
+    /// Lets go in time, forever.
     pub async fn attend(&self) {
         loop {
             let next = self.pressed().iter().map(|of| of.ends).min();

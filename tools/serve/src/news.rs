@@ -25,7 +25,7 @@ pub enum News {
 /// Takes the news of the board of a name.
 pub type Tell = Arc<dyn Fn(&str, News) + Send + Sync>;
 
-/// Tells what changes, for ever.
+/// Tells what changes, forever.
 pub(crate) async fn attend(gateway: Arc<Gateway>, program: Option<Kept>, tell: Tell) {
     let tell = |news| tell(&gateway.name, news);
     let mut presence = gateway.line.presence();

@@ -44,7 +44,7 @@ pub struct Change {
 /// Takes the changes of one reading.
 pub type Keep = Arc<dyn Fn(Vec<Change>) + Send + Sync>;
 
-/// Reads the board, for ever.
+/// Reads the board, forever.
 pub(crate) async fn attend(gateway: Arc<Gateway>, watched: Watched, keep: Option<Keep>) {
     let readings = [false, true].map(|holds| Reading::of(watched.points.recorded(holds)));
     let mut holds = watched.points.program.is_some();

@@ -10,7 +10,7 @@ use unoclp_modbus::Exception;
 /// How often a board that does not say what is forced is asked again.
 const AGAIN: Duration = Duration::from_secs(1);
 
-/// Lets go in time, for ever.
+/// Lets go in time, forever.
 pub(crate) async fn attend(gateway: Arc<Gateway>) {
     let mut presence = gateway.line.presence();
     loop {

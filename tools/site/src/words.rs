@@ -5,7 +5,7 @@
 unoclp_words::messages! {
     range(key, from, to)
         "`{key}` is out of its range; give a number from {from} to {to}"
-        "`{key}` está fora da faixa; dê um número de {from} a {to}";
+        "`{key}` está fora da faixa; informe um número de {from} a {to}";
     no_address(given)
         "{given} is not an address with a port; write \"127.0.0.1:8420\", or \"0.0.0.0:8420\" for the network"
         "{given} não é um endereço com porta; escreva \"127.0.0.1:8420\", ou \"0.0.0.0:8420\" para a rede";

@@ -143,12 +143,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             "[[line]]\nport = \"a\"\nrate = 9601\n[[line.board]]\nname = \"x\"\n".into(),
             3,
-            "`rate` cannot be 9601; give 2400, 4800",
+            "`rate` cannot be 9601; choose 2400, 4800",
         ),
         (
             "[[line]]\nport = \"a\"\nparity = \"mark\"\n[[line.board]]\nname = \"x\"\n".into(),
             3,
-            "`parity` cannot be mark; give \"none\"",
+            "`parity` cannot be mark; choose \"none\"",
         ),
         (
             with("[http]\nlisten = \"localhost\"\n"),
@@ -259,7 +259,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[history]\nstore = \"\"\n"),
             6,
-            "`store` cannot be \"\"; give \"history.db\"",
+            "`store` cannot be \"\"; choose \"history.db\"",
         ),
         (
             with("[history]\nstore = \"h.db\"\npassword = \"x\"\n"),
@@ -269,7 +269,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[history]\nstore = \"postgres://me@a/b\"\ntls = \"some\"\n"),
             7,
-            "`tls` cannot be some; give \"none\"",
+            "`tls` cannot be some; choose \"none\"",
         ),
         (
             with("[history]\nstore = \"h.db\"\n[journal]\nstore = \"h.db\"\n"),
@@ -279,7 +279,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[http]\nlisten = \"127.0.0.1:1\"\ntls = \"some\"\n"),
             7,
-            "`tls` cannot be some; give \"self-signed\", { cert = \"cert.pem\", key = \"key.pem\" }, \"none\"",
+            "`tls` cannot be some; choose \"self-signed\", { cert = \"cert.pem\", key = \"key.pem\" }, \"none\"",
         ),
         (
             with("[http]\nlisten = \"127.0.0.1:1\"\ntls = { cert = \"c.pem\" }\n"),
@@ -387,7 +387,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with(&(alarm("x.I1") + "severity = \"fatal\"\n")),
             9,
-            "`severity` cannot be fatal; give \"low\", \"medium\", \"high\"",
+            "`severity` cannot be fatal; choose \"low\", \"medium\", \"high\"",
         ),
         (
             with(&panel("gone.toml")),
@@ -431,7 +431,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
                     .as_str(),
             ),
             7,
-            "`role` cannot be root; give \"watch\", \"operate\", \"engineer\"",
+            "`role` cannot be root; choose \"watch\", \"operate\", \"engineer\"",
         ),
         (
             with(&user("secret")),

@@ -114,7 +114,7 @@ fn each_mistake_is_told_with_its_line_in_the_file() {
         ),
         (
             item("").replace("lamp", "lamps"),
-            "2: `show` cannot be lamps; give \"lamp\", \"value\"",
+            "2: `show` cannot be lamps; choose \"lamp\", \"value\"",
         ),
         (
             item("").replace("x.valve", "valve"),

@@ -3,6 +3,7 @@
 use crate::Compilers;
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
+use std::ops::Deref;
 use std::rc::Rc;
 use unoclp_checked::SourceMap;
 use unoclp_draw::edit::Document;
@@ -15,7 +16,7 @@ use unoclp_program::{Refused, Source, Written, drawn, names, symbols};
 pub struct Analysis {
     written: Written,
     compilers: Rc<dyn Compilers>,
-    checked: OnceCell<Option<Result<Source, Refused>>>,
+    checked: OnceCell<Option<Result<Rc<Source>, Refused>>>,
     colours: OnceCell<Vec<(Span, Colour)>>,
     ladder: OnceCell<(Ladder, Names)>,
     symbols: OnceCell<BTreeMap<String, String>>,
@@ -41,14 +42,32 @@ impl Analysis {
     }
 
     /// Its program, or all that is wrong with it; none where it takes a compiler that is not at hand.
-    pub fn check(&self) -> Option<&Result<Source, Refused>> {
-        let check = || self.compilers.check(self.written.clone());
+    pub fn check(&self) -> Option<&Result<Rc<Source>, Refused>> {
+        let check = || Some(self.compilers.check(self.written.clone())?.map(Rc::new));
         self.checked.get_or_init(check).as_ref()
     }
 
     /// Its program; none where there is none.
     pub fn source(&self) -> Option<&Source> {
-        self.check()?.as_ref().ok()
+        self.check()?.as_ref().ok().map(Rc::as_ref)
+    }
+
+    /// The same with all that is known of it, to keep.
+    pub fn ready(self: &Rc<Analysis>) -> Option<Ready> {
+        let source = self.check()?.as_ref().ok()?.clone();
+        Some(Ready {
+            analysis: self.clone(),
+            source,
+        })
+    }
+
+    /// What is known of another text of this name, in the same language and for the same board.
+    pub fn with_text(&self, text: String) -> Analysis {
+        let written = Written {
+            bytes: text.into_bytes(),
+            ..self.written.clone()
+        };
+        Analysis::new(written, self.compilers.clone())
     }
 
     /// The coloured parts of the text, in the order of their places.
@@ -74,9 +93,7 @@ impl Analysis {
 
     /// What the text calls the points of the program: `lamp` after `Q1`.
     pub fn symbols(&self) -> Option<&BTreeMap<String, String>> {
-        let source = self.source()?;
-        let symbols = || symbols(source, &self.drawn(source).1);
-        Some(self.symbols.get_or_init(symbols))
+        Some(self.called(self.source()?))
     }
 
     /// Where its steps stand in the text.
@@ -113,5 +130,42 @@ impl Analysis {
             let names = names(&source.map, &ladder);
             (ladder, names)
         })
+    }
+
+    fn called(&self, source: &Source) -> &BTreeMap<String, String> {
+        let symbols = || symbols(source, &self.drawn(source).1);
+        self.symbols.get_or_init(symbols)
+    }
+}
+
+/// A text that is a program, with all that is known of it.
+#[derive(Clone)]
+pub struct Ready {
+    analysis: Rc<Analysis>,
+    source: Rc<Source>,
+}
+
+impl Ready {
+    /// Its ladder.
+    pub fn ladder(&self) -> &Ladder {
+        &self.analysis.drawn(&self.source).0
+    }
+
+    /// What the symbols of its ladder are called.
+    pub fn names(&self) -> &Names {
+        &self.analysis.drawn(&self.source).1
+    }
+
+    /// What the text calls the points of the program: `lamp` after `Q1`.
+    pub fn symbols(&self) -> &BTreeMap<String, String> {
+        self.analysis.called(&self.source)
+    }
+}
+
+impl Deref for Ready {
+    type Target = Source;
+
+    fn deref(&self) -> &Source {
+        &self.source
     }
 }

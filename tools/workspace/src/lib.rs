@@ -1,7 +1,7 @@
 //! Texts in versions, and what is known of each: found once, shared by all who ask.
 //!
 //! - [`Workspace`]: which text each version is
-//! - [`Analysis`]: what is known of one
+//! - [`Analysis`]: what is known of one; [`Ready`]: the same of one that is a program
 //! - [`Compilers`]: what a text is opened with
 //!
 //! Owns versions, and that nothing of one is found twice. Must not know files, screens, nor what is shown of an analysis.
@@ -11,7 +11,7 @@
 mod analysis;
 mod compilers;
 
-pub use analysis::Analysis;
+pub use analysis::{Analysis, Ready};
 pub use compilers::{All, Compilers};
 
 use std::collections::VecDeque;
@@ -50,7 +50,19 @@ impl Workspace {
     pub fn set_text(&mut self, written: Written) -> Version {
         match self.place(&written) {
             Some(at) => self.touch(at).0,
-            None => self.add(Analysis::new(written, self.compilers.clone())),
+            None => self.add(Rc::new(Analysis::new(written, self.compilers.clone()))),
+        }
+    }
+
+    /// What is known of a text, which becomes a version, or is one.
+    pub fn open(&mut self, written: Written) -> Rc<Analysis> {
+        match self.place(&written) {
+            Some(at) => self.touch(at).1,
+            None => {
+                let analysis = Rc::new(Analysis::new(written, self.compilers.clone()));
+                self.add(analysis.clone());
+                analysis
+            }
         }
     }
 
@@ -103,13 +115,13 @@ impl Workspace {
         (*version, analysis.clone())
     }
 
-    fn add(&mut self, analysis: Analysis) -> Version {
+    fn add(&mut self, analysis: Rc<Analysis>) -> Version {
         if self.open.len() >= MOST {
             self.open.pop_front();
         }
         self.last = self.last.wrapping_add(1);
         let version = Version(self.last);
-        self.open.push_back((version, Rc::new(analysis)));
+        self.open.push_back((version, analysis));
         version
     }
 }

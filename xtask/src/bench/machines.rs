@@ -129,7 +129,7 @@ fn english(rows: &[Row; 4]) -> String {
             "≤ 5 µs",
         ),
         (
-            "pace that the simulated UNO loses to a machine beside it, the most of the sixteen",
+            "pace that the simulated UNO loses to a machine beside it, the worst of the sixteen",
             "≤ 5 %",
         ),
         (
@@ -145,12 +145,12 @@ fn english(rows: &[Row; 4]) -> String {
     let table = table(head, names, rows, ["met", "not met"]);
     format!(
         "# Benchmarks of the machines\n\n*[Leia em português](machine-benchmarks.pt-BR.md)*\n\n\
-This page is written by a program: do not edit it, repeat it.\n\n```\ncargo xtask bench --machines\n```\n\n\
-The figures are of the machine at hand, so another gives others. The board runs each machine's model solution on the unmodified\n\
-firmware with the machine and without it, in turn; without it the contacts stay as the machine left them. The machine takes a\n\
-step each simulated millisecond and is drawn 60 times a second, as in the page's worker. The median of 150 differences counts,\n\
-in time of the processor. A drawing is what Rust makes and what JavaScript reads of it;\n\
-what the browser paints is not counted. What is native is built as the tests are. `npm run bench` in `page/web` prints the figures of each machine.\n\n{table}"
+A program writes this page: do not edit it, run the benchmark again.\n\n```\ncargo xtask bench --machines\n```\n\n\
+The figures depend on the computer. The board runs each machine's model solution on the unmodified\n\
+firmware with the machine and without it, in turn; without it the contacts stay as the machine left them. The machine advances a\n\
+step each simulated millisecond and is drawn 60 times a second, as in the page's worker. The figure is the median of 150 differences,\n\
+in processor time. A drawing is Rust's output, as JavaScript reads it;\n\
+the browser's painting is not counted. Native code is built like the tests. `npm run bench` in `page/web` prints the figures of each machine.\n\n{table}"
     )
 }
 
@@ -161,7 +161,7 @@ fn portuguese(rows: &[Row; 4]) -> String {
             "≤ 5 µs",
         ),
         (
-            "ritmo que o UNO simulado perde para uma máquina ao lado, o maior das dezesseis",
+            "ritmo que o UNO simulado perde para uma máquina ao lado, o pior das dezesseis",
             "≤ 5 %",
         ),
         (
@@ -180,11 +180,11 @@ fn portuguese(rows: &[Row; 4]) -> String {
     let table = table(head, names, &rows, ["atingida", "não atingida"]);
     format!(
         "# Benchmarks das máquinas\n\n*[Read it in English](machine-benchmarks.md)*\n\n\
-Esta página é escrita por um programa: não a edite, repita-o.\n\n```\ncargo xtask bench --machines\n```\n\n\
-Os números são do computador usado; outro dá outros. A placa executa a solução modelo de cada máquina no firmware sem alterações,\n\
-com a máquina e sem ela, em alternância; sem ela os contatos ficam como a máquina os deixou. A máquina dá um passo a cada\n\
-milissegundo simulado e é desenhada 60 vezes por segundo, como no worker da página. Vale a mediana de 150 diferenças, em\n\
+Um programa escreve esta página: não a edite, repita a medição.\n\n```\ncargo xtask bench --machines\n```\n\n\
+Os números dependem do computador. A placa executa a solução modelo de cada máquina no firmware sem alterações,\n\
+com a máquina e sem ela, em alternância; sem ela os contatos ficam como a máquina os deixou. A máquina avança um passo a cada\n\
+milissegundo simulado e é desenhada 60 vezes por segundo, como no worker da página. O número é a mediana de 150 diferenças, em\n\
 tempo de processador. Um desenho é o que o Rust produz e o JavaScript lê; o que o\n\
-navegador pinta não conta. O que é nativo é compilado como os testes. `npm run bench` em `page/web` mostra os números de cada máquina.\n\n{table}"
+navegador pinta não conta. O código nativo é compilado como os testes. `npm run bench` em `page/web` mostra os números de cada máquina.\n\n{table}"
     )
 }

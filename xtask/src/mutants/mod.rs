@@ -133,6 +133,7 @@ fn trial(room: &Room, tests: &Tests, open: &[&Mutant], folder: &Path) -> Command
     trial.env("CARGO_TARGET_DIR", root().join(FOLDER).join("build"));
     // That a test fails is enough: it need not show the least that it fails with.
     trial.env("UNOCLP_TRIES", "0");
+    trial.env("UNOCLP_ROUNDS", tests.percent.to_string());
     trial.args(["--jobs=1", "--no-shuffle", "--profile=mutants", "--output"]);
     trial.arg(folder);
     // Those that leave out a field come with their file.

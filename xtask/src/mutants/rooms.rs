@@ -20,6 +20,8 @@ pub struct Tests {
     pub targets: &'static [&'static str],
     /// What the tests' own program is told.
     pub words: &'static [&'static str],
+    /// Percent of their usual rounds.
+    pub percent: u32,
 }
 
 /// All tests of packages.
@@ -28,6 +30,15 @@ const fn of(packages: &'static [&'static str]) -> Tests {
         packages,
         targets: &[],
         words: &[],
+        percent: 100,
+    }
+}
+
+/// The same in few rounds: most mutants fall in the first of them.
+const fn few(packages: &'static [&'static str]) -> Tests {
+    Tests {
+        percent: 5,
+        ..of(packages)
     }
 }
 
@@ -38,9 +49,11 @@ const fn of_languages(packages: &'static [&'static str]) -> [Tests; 2] {
         packages,
         targets,
         words: &["cases", "sizes", "tests::", "typed_slips", "random_typed"],
+        percent: 5,
     };
     let others = Tests {
         words: &["--skip=any_text", "--skip=round_trip::random"],
+        percent: 100,
         ..cases
     };
     [cases, others]
@@ -52,18 +65,17 @@ pub const ROOMS: [Room; 5] = [
         name: "device/core",
         package: "unoclp-core",
         rounds: &[
-            of(&["unoclp-core"]),
+            few(&["unoclp-core"]),
             Tests {
-                packages: &["unoclp-host-sim"],
                 targets: &["--test=it"],
-                words: &[],
+                ..of(&["unoclp-core", "unoclp-host-sim"])
             },
         ],
     },
     Room {
         name: "ladder/draw/src/edit",
         package: "unoclp-draw",
-        rounds: &[of(&["unoclp-draw"]), of(&["unoclp-edit"])],
+        rounds: &[few(&["unoclp-draw"]), of(&["unoclp-draw", "unoclp-edit"])],
     },
     Room {
         name: "language/codegen",

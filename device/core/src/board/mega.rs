@@ -42,7 +42,7 @@ impl Board {
         // 01, 02, 04 to 07 and 12 to 14: D2, D3, D5 to D8, D46 to D44.
         pwm: Image(0b0011_1000_0111_1011),
         stored_bytes: 3_500,
-        linked_bytes: 5_200,
+        linked_bytes: 5_600,
         engine: &Engine::MEGA,
         ..Board::UNO
     };

@@ -12,7 +12,7 @@ use core::mem;
 
 impl Plc<'_> {
     /// Runs one instruction: one arm for each, so that the compiler names one that is missing.
-    pub(super) fn run(&mut self, pass: &mut Pass<'_>, instruction: Instruction<'_>) -> Next {
+    pub(super) fn run(&mut self, pass: &mut Pass, instruction: Instruction<'_>) -> Next {
         let Instruction { opcode, operand } = instruction;
         let xx = instruction.number().unwrap_or_default();
         let number = match operand {
@@ -217,14 +217,14 @@ impl Plc<'_> {
     }
 
     /// acc as this edge had it in the scan before; the edge keeps acc as it is.
-    fn acc_before(&mut self, pass: &Pass<'_>) -> bool {
+    fn acc_before(&mut self, pass: &Pass) -> bool {
         match self.own.get_mut(pass.own) {
             Some(before) => mem::replace(before, pass.acc.into()) != 0,
             None => false,
         }
     }
 
-    fn timer_block(&mut self, pass: &mut Pass<'_>, delay: Delay, operand: Operand<'_>) {
+    fn timer_block(&mut self, pass: &mut Pass, delay: Delay, operand: Operand<'_>) {
         let Operand::Timer(TimerBlock { target, .. }) = operand else {
             return;
         };
@@ -259,7 +259,7 @@ impl Plc<'_> {
         self.set_outputs(outputs.unwrap_or(0), 4);
     }
 
-    fn filter(&mut self, pass: &mut Pass<'_>, operand: Operand<'_>) {
+    fn filter(&mut self, pass: &mut Pass, operand: Operand<'_>) {
         let Operand::Filter { strength, time } = operand else {
             return;
         };
@@ -268,7 +268,7 @@ impl Plc<'_> {
         }
     }
 
-    fn integrate(&mut self, pass: &Pass<'_>, register: u8) {
+    fn integrate(&mut self, pass: &Pass, register: u8) {
         let index = usize::from(register).wrapping_sub(1);
         let register = self.state.registers.get_mut(index);
         if let (Some(register), Some(data)) = (register, own(self.own, pass)) {
@@ -277,15 +277,17 @@ impl Plc<'_> {
     }
 }
 
-impl Pass<'_> {
+impl Pass {
     fn push(&mut self) {
         self.pushed.rotate_right(1);
         self.pushed[0] = self.value;
+        self.depth = self.depth.saturating_add(1).min(8);
     }
 
     fn pop(&mut self) -> i32 {
         let value = self.pushed[0];
         self.pushed.rotate_left(1);
+        self.depth = self.depth.saturating_sub(1);
         value
     }
 
@@ -328,7 +330,7 @@ fn jump(operand: Operand<'_>) -> Next {
 }
 
 /// The data of the instruction that is run.
-fn own<'p, const N: usize>(own: &'p mut [u8], pass: &Pass<'_>) -> Option<&'p mut [u8; N]> {
+fn own<'p, const N: usize>(own: &'p mut [u8], pass: &Pass) -> Option<&'p mut [u8; N]> {
     own.get_mut(pass.own..)?.first_chunk_mut()
 }
 

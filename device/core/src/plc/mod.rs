@@ -14,7 +14,7 @@ mod value;
 pub use adopt::Snapshot;
 pub use clocks::Clocks;
 pub use inputs::{Debounce, Inputs};
-pub use scan::After;
+pub use scan::{After, Scan};
 
 use crate::isa::{COUNTER_DATA, Operand, REGISTERS, RETENTIVE, TIMER_DATA};
 use crate::timer::{Delay, Target, Timer};

@@ -29,7 +29,7 @@ impl Plc<'_> {
         self.state.markers >> (number.wrapping_sub(1) & 127) & 1 != 0
     }
 
-    pub(super) fn system(&self, pass: &Pass<'_>, number: u8) -> bool {
+    pub(super) fn system(&self, pass: &Pass, number: u8) -> bool {
         match number {
             1 => self.state.first,
             2 => self.state.clocks.slow(),

@@ -3,7 +3,7 @@
 use super::{Inputs, Plc};
 use crate::isa::{Class, JUMP_BUDGET, Opcode};
 use crate::width::ANALOGUE;
-use crate::{Cause, Fault, Image, Millis, Needs, Steps};
+use crate::{Cause, Fault, Image, Instruction, Millis, Needs, Steps};
 
 /// What an instruction leaves behind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,8 +15,11 @@ pub struct After {
 }
 
 /// What lives as long as one scan.
-pub(super) struct Pass<'c> {
-    pub(super) steps: Steps<'c>,
+#[derive(Clone, Debug)]
+pub(super) struct Pass {
+    /// The instruction that comes next: its stored byte, and what jumping back over those before it costs.
+    at: usize,
+    cost: usize,
     pub(super) now: Millis,
     pub(super) analogue: [u16; ANALOGUE as usize],
     pub(super) scan_time: u16,
@@ -26,6 +29,8 @@ pub(super) struct Pass<'c> {
     pub(super) value: i32,
     /// What is pushed (NC-22), the last first. Eight are enough, because the loader allows no more.
     pub(super) pushed: [i32; 8],
+    /// How many of them there are.
+    pub(super) depth: u8,
     /// One bit for each open branch, the innermost in bit 0: acc as it was when the branch opened. Eight
     /// are enough, because the loader allows no deeper nesting.
     pub(super) open: u8,
@@ -40,6 +45,33 @@ pub(super) struct Pass<'c> {
     pub(super) budget: usize,
     /// S 04: an arithmetic error in this scan.
     pub(super) error: bool,
+}
+
+/// A scan that is under way: [`Plc::begin`] and [`Plc::step`] make it instruction by instruction.
+#[derive(Clone, Debug)]
+pub struct Scan {
+    pass: Pass,
+    /// The instruction that comes next.
+    index: usize,
+}
+
+impl Scan {
+    /// The index of the instruction that comes next, in the order of [`Plc::steps`]; at the end as many as there are, or
+    /// less where the program returned before.
+    pub fn next(&self) -> usize {
+        self.index
+    }
+
+    /// What that instruction finds.
+    pub fn found(&self) -> After {
+        self.pass.after()
+    }
+
+    /// What is pushed (NC-22), the last first.
+    pub fn pushed(&self) -> &[i32] {
+        let pushed = &self.pass.pushed;
+        pushed.get(..self.pass.depth.into()).unwrap_or(pushed)
+    }
 }
 
 impl Plc<'_> {
@@ -64,21 +96,32 @@ impl Plc<'_> {
         now: Millis,
         mut observe: impl FnMut(usize, After),
     ) -> Result<Image, Fault> {
+        let mut scan = self.begin(inputs, now);
+        while let Some((step, after)) = self.step(&mut scan)? {
+            observe(step, after);
+        }
+        Ok(self.state.outputs)
+    }
+
+    /// Begins a scan (NC-5) on these inputs with this time stamp; [`Plc::step`] goes on with it. Another may begin when
+    /// it is over.
+    pub fn begin(&mut self, inputs: impl Into<Inputs>, now: Millis) -> Scan {
         let inputs = inputs.into();
         let first = self.state.first;
         let Needs { filter, .. } = self.needs;
         let points = Image(inputs.points.0 & self.needs.digital(&self.board));
         self.state.inputs.scan(points, filter, first, now);
         self.state.clocks.scan(first, now);
-        let code = self.code;
-        let mut pass = Pass {
-            steps: Steps::new(code),
+        let pass = Pass {
+            at: 0,
+            cost: 0,
             now,
             analogue: inputs.analogue,
             scan_time: inputs.scan_time,
             acc: true,
             value: 0,
             pushed: [0; 8],
+            depth: 0,
             open: 0,
             opened: [Opcode::OpenBranch; 8],
             points: 0,
@@ -87,40 +130,45 @@ impl Plc<'_> {
             budget: JUMP_BUDGET.into(),
             error: false,
         };
-        let mut index = 0;
-        while let Some(instruction) = pass.steps.next() {
-            let step = index;
-            index += 1;
-            match self.run(&mut pass, instruction) {
-                Next::Step => {
-                    pass.pass_over(instruction.opcode);
-                    observe(step, pass.after());
-                }
-                Next::End => {
-                    observe(step, pass.after());
-                    break;
-                }
-                Next::Behind(part) => {
-                    observe(step, pass.after());
-                    pass.pass_over(instruction.opcode);
-                    index += pass.go_behind(part);
-                }
-                Next::Label { label, line } => {
-                    observe(step, pass.after());
-                    let from = pass.steps.cost();
-                    index = pass.go_to(code, label);
-                    // What lies between is what has been passed over to come back here.
-                    if let Some(back) = from.checked_sub(pass.steps.cost()) {
-                        match pass.budget.checked_sub(back) {
-                            Some(left) => pass.budget = left,
-                            None => return Err(self.too_many_jumps(line)),
-                        }
+        Scan { pass, index: 0 }
+    }
+
+    /// The next instruction of a scan: its index, in the order of [`Plc::steps`], and what it has left behind; none at the
+    /// end of the scan, whose output image is [`Plc::outputs`] then.
+    ///
+    /// # Errors
+    /// As [`Plc::scan`].
+    pub fn step(&mut self, scan: &mut Scan) -> Result<Option<(usize, After)>, Fault> {
+        let code = self.code;
+        let Scan { pass, index } = scan;
+        let Some(instruction) = pass.take_next(code) else {
+            self.state.first = false;
+            return Ok(None);
+        };
+        let step = *index;
+        *index += 1;
+        let next = self.run(pass, instruction);
+        let after = pass.after();
+        match next {
+            Next::Step => pass.pass_over(instruction.opcode),
+            Next::End => pass.at = usize::MAX,
+            Next::Behind(part) => {
+                pass.pass_over(instruction.opcode);
+                *index += pass.go_behind(code, part);
+            }
+            Next::Label { label, line } => {
+                let from = pass.cost;
+                *index = pass.go_to(code, label);
+                // What lies between is what has been passed over to come back here.
+                if let Some(back) = from.checked_sub(pass.cost) {
+                    match pass.budget.checked_sub(back) {
+                        Some(left) => pass.budget = left,
+                        None => return Err(self.too_many_jumps(line)),
                     }
                 }
             }
         }
-        self.state.first = false;
-        Ok(self.state.outputs)
+        Ok(Some((step, after)))
     }
 
     fn too_many_jumps(&mut self, line: u16) -> Fault {
@@ -144,20 +192,29 @@ pub(super) enum Next {
     End,
 }
 
-impl<'c> Pass<'c> {
+impl Pass {
+    /// The next instruction.
+    #[inline]
+    fn take_next<'c>(&mut self, code: &'c [u8]) -> Option<Instruction<'c>> {
+        let mut steps = Steps::new(code).behind(self.at, self.cost);
+        let instruction = steps.next();
+        (self.at, self.cost) = (steps.at(), steps.cost());
+        instruction
+    }
+
     /// Goes on after a label, where a new rung begins; gives the index of the instruction there. The
     /// loader has seen to it that the label exists; the program would end where it did not.
-    fn go_to(&mut self, code: &'c [u8], label: u8) -> usize {
-        self.steps = Steps::new(code);
+    fn go_to(&mut self, code: &[u8], label: u8) -> usize {
+        (self.at, self.cost) = (0, 0);
         (self.timers, self.own, self.acc) = (0, 0, true);
         let mut index = 0;
         loop {
-            let at = self.steps.clone();
-            let Some(step) = self.steps.next() else {
+            let before = (self.at, self.cost);
+            let Some(step) = self.take_next(code) else {
                 return index;
             };
             if step.opcode == Opcode::Label && step.number() == Some(label) {
-                self.steps = at;
+                (self.at, self.cost) = before;
                 return index;
             }
             index += 1;
@@ -167,10 +224,10 @@ impl<'c> Pass<'c> {
 
     /// Goes on after a part of the IF that is open, its END at the latest; gives how many instructions that
     /// passes over. The loader has seen to it that the END exists.
-    fn go_behind(&mut self, part: Opcode) -> usize {
+    fn go_behind(&mut self, code: &[u8], part: Opcode) -> usize {
         self.acc = true;
         let (mut count, mut inner) = (0, 0_u32);
-        while let Some(step) = self.steps.next() {
+        while let Some(step) = self.take_next(code) {
             count += 1;
             self.pass_over(step.opcode);
             match step.opcode {

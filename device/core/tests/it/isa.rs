@@ -1,7 +1,7 @@
 //! The instruction table: what is stored is pinned, what is listed comes back.
 
 use std::collections::BTreeSet;
-use unoclp_core::isa::{Class, Kind, Opcode, TABLE};
+use unoclp_core::isa::{Class, Kind, Line, Opcode, TABLE};
 use unoclp_core::{Board, Delay, Image, Instruction, Loader, Plc};
 
 /// Every instruction in one valid program, in an order that the loader accepts.
@@ -324,6 +324,15 @@ fn a_listing_loads_as_the_same_program() {
         "every instruction is used"
     );
     assert_eq!(codes, every);
+}
+
+/// A register and what was pushed stand in the code itself.
+#[test]
+fn a_line_follows_only_the_code_of_a_constant() {
+    for (kind, line) in [(Kind::Value, Line::Constant), (Kind::Real, Line::Real)] {
+        let lines = [0, 1, 99].map(|xx| kind.first_line(xx));
+        assert_eq!(lines, [Some(line), None, None], "{kind:?}");
+    }
 }
 
 #[test]

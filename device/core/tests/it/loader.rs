@@ -1,7 +1,7 @@
 //! What the data files under `proof/suite/` cannot say: memory sizes, and going on after a fault.
 
 use unoclp_core::isa::{Opcode, is_real};
-use unoclp_core::{Board, Cause, Fault, Image, Loader, Plc};
+use unoclp_core::{Board, Cause, Fault, Image, Loader, Part, Plc};
 
 /// All faults that can be told of a text, as number and line.
 fn faults(text: &[u8]) -> Vec<(u8, Option<u32>)> {
@@ -227,6 +227,33 @@ fn brackets_are_balanced() {
     );
 }
 
+/// A jump is looked for where an instruction begins: a constant may hold its bytes.
+#[test]
+fn a_constant_is_no_jump() {
+    // The bytes of `JMP 09`.
+    assert_eq!(faults_of(&[766601, 787600, 766800, 0x09E4, 74778001]), []);
+    assert_eq!(faults_of(&[766601, 787600, 74778009]), [(72, Some(4))]);
+}
+
+/// What a tool that shows a file is told of each byte, and of how many codes there are.
+#[test]
+fn each_byte_of_a_file_has_its_part() {
+    let mut memory = [0; 100];
+    let mut loader = Loader::new(&mut memory, Board::UNO);
+    let mut parts = String::new();
+    for &byte in b"0 /a\n847978\n-5\n8x1\n" {
+        let _ = loader.push(byte);
+        parts.push(match loader.part() {
+            Part::Blank => ' ',
+            Part::Code => 'c',
+            Part::Comment => '/',
+            Part::Faulty => '!',
+        });
+    }
+    assert_eq!(parts, "c // cccccc cc c!! ");
+    assert_eq!(loader.codes(), 2);
+}
+
 /// Bytes of run memory of a program of these codes.
 fn linked(codes: &[i32]) -> usize {
     let lines: String = codes.iter().map(|code| format!("{code}\n")).collect();
@@ -257,6 +284,23 @@ fn far_registers_take_run_memory() {
     // A constant and what was pushed are no registers.
     assert_eq!(linked(&[766800, 98]), 3);
     assert_eq!(linked(&[808372, 766899]), 2 + 2);
+}
+
+/// A coil before a new rung saves the byte of the rung, before an IF it saves none; a setting stands in no one's way.
+#[test]
+fn what_stands_before_a_code_may_save_a_byte() {
+    let coil = [827301, 877901];
+    let behind = |codes: &[i32]| linked(&[&coil, codes].concat()) - linked(&coil);
+    assert_eq!(
+        behind(&[787600]) + 1,
+        linked(&[827301, 787600]) - linked(&[827301])
+    );
+    let (alone, block) = (linked(&[827301]), [7370, 697868]);
+    assert_eq!(
+        behind(&block),
+        linked(&[&[827301], &block[..]].concat()) - alone
+    );
+    assert_eq!(linked(&[707305, 787600]) - linked(&[707305]), 0);
 }
 
 /// Contacts and rungs count as the linker links them, so both memories are full at about the same time.

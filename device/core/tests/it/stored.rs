@@ -35,6 +35,17 @@ fn a_stored_program_comes_back() {
     assert_eq!(restored.timers(), program.timers());
 }
 
+/// A tool shows where in the stored form an instruction begins.
+#[test]
+fn each_step_begins_behind_the_one_before() {
+    let mut memory = [0; 100];
+    let program = restored(&mut memory, &[0x10, 0xBB, 0, 5, 0, 0, 0, 0xC4, 1, 0x50]);
+    let mut steps = program.steps();
+    let begins: Vec<usize> =
+        std::iter::from_fn(|| Some((steps.at(), steps.next()?)).map(|(at, _)| at)).collect();
+    assert_eq!(begins, [0, 1, 7, 9]);
+}
+
 fn restored<'m>(memory: &'m mut [u8], stored: &[u8]) -> Program<'m> {
     let mut loader = Loader::new(memory, Board::UNO);
     loader.restore(&mut stored.iter().copied()).unwrap();

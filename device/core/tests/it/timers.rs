@@ -49,6 +49,24 @@ fn a_tof_that_is_over_stays_over() {
 }
 
 #[test]
+fn a_tor_gathers_only_while_it_is_on() {
+    with_plc("0\n827301\n847982\n100\n7901\n", |plc| {
+        for (input, now, q, elapsed) in [
+            (INPUT, 0, 0, 0),
+            (NONE, 60, 0, 60),
+            (NONE, 500, 0, 60),
+            (INPUT, 1000, 0, 60),
+            (INPUT, 1039, 0, 99),
+            (INPUT, 1040, 1, 100),
+            (NONE, 1050, 1, 100),
+        ] {
+            assert_eq!(plc.scan(input, now).unwrap().0, q, "at {now}");
+            assert_eq!(plc.timers(now).next().unwrap().elapsed, elapsed, "at {now}");
+        }
+    });
+}
+
+#[test]
 fn the_longest_preset_is_exact() {
     let longest = i32::MAX as u32;
     for start in [0, 1, u32::MAX - 5, u32::MAX / 2] {

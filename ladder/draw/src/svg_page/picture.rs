@@ -3,9 +3,13 @@
 use super::node::Node;
 use super::page::{Font, Page, titled};
 use super::{COLUMN, GAP, MARGIN, MILLIMETRES};
-use crate::listing::{Title, heading};
+use crate::listing::{Title, heading, wrapped};
 use crate::{Drawing, Names};
 use unoclp_checked::SourceMap;
+
+/// From one line of the title to the next, and what a letter of it takes, on an average.
+const TITLE_ROW: f32 = 24.0;
+const TITLE_LETTER: f32 = 10.5;
 
 /// The drawing as an SVG document under the heading `about`, its rungs under their titles.
 pub fn to_svg(
@@ -16,8 +20,12 @@ pub fn to_svg(
     about: &str,
 ) -> String {
     let mut page = Page::new(drawing, MARGIN);
-    page.text(MARGIN, page.y + 16.0, about, &Font::TITLE);
-    page.y += 40.0;
+    let columns = (drawing.width as f32 * COLUMN / TITLE_LETTER) as usize;
+    for line in wrapped(about, columns) {
+        page.text(MARGIN, page.y + 16.0, &line, &Font::TITLE);
+        page.y += TITLE_ROW;
+    }
+    page.y += 40.0 - TITLE_ROW;
     for (index, picture) in drawing.rungs.iter().enumerate() {
         page.headed(
             &heading(drawing.headed(), map, names, title, index),

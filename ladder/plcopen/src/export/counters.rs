@@ -95,7 +95,7 @@ impl Counters {
         (count == all && (count > 1 || kind == "CTUD")).then_some(count)
     }
 
-    /// Whether a counter only counts, so that its block may stand in a rung.
+    /// Whether a counter only counts, so that its block may be in a rung.
     pub(crate) fn counts_only(&self, number: u8) -> bool {
         let uses = self.0.get(&number).copied().unwrap_or_default();
         uses.inputs.iter().sum::<usize>() == 1 && self.kind(number) != Some("CTUD")

@@ -1,4 +1,4 @@
-//! Rungs, and what stands on their wires.
+//! Rungs, and what is on their wires.
 
 use super::counters::Counters;
 use super::lost::Lost;
@@ -104,7 +104,7 @@ impl Draw {
         1
     }
 
-    /// Draws what stands in series from a left rail of its own.
+    /// Draws what is in series from a left rail of its own.
     pub(crate) fn way(&mut self, series: &[Node]) -> Wire {
         let rail = self.rail();
         self.values = Values::default();
@@ -125,7 +125,7 @@ impl Draw {
         }
     }
 
-    /// Draws what stands in series; `rail` is where a way of its own begins.
+    /// Draws what is in series; `rail` is where a way of its own begins.
     fn series(&mut self, series: &[Node], wire: &mut Wire, rail: &Wire) {
         for node in series {
             match node {

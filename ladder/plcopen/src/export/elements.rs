@@ -1,4 +1,4 @@
-//! What stands on a wire: contacts, coils, timers, edges and jumps.
+//! What is on a wire: contacts, coils, timers, edges and jumps.
 
 use super::counters::input;
 use super::draw::{COLUMN, Draw, Wire, timer};

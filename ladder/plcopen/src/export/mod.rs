@@ -1,8 +1,8 @@
 //! A document as a project: each rung as contacts, coils and blocks, with the wires between them; what they have no form
 //! for, in Instruction List.
 //!
-//! - `frame`: what stands around all of it; `xml`: the elements as XML; `names`: the variables
-//! - `draw`: rungs and their wires; `elements`: what stands on them; `counters`, `count`: rungs that are inputs of one block
+//! - `frame`: what is around all of it; `xml`: the elements as XML; `names`: the variables
+//! - `draw`: rungs and their wires; `elements`: what is on them; `counters`, `count`: rungs that are inputs of one block
 //! - `numbers`: loads, operations, comparisons and stores
 //! - `il`: a program in Instruction List; `same`: what is written is read again; `text`: a text in place of a document
 

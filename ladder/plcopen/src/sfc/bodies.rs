@@ -21,7 +21,7 @@ pub(super) struct Bodies<'b, 'a, 'x> {
     pub known: HashMap<String, Variable>,
     /// The transitions that have a name and a body, in capitals.
     pub transitions: HashMap<String, Node<'a, 'x>>,
-    /// Actions that stand beside a step, with the names that they get.
+    /// Actions that are beside a step, with the names that they get.
     inline: Vec<(String, Node<'a, 'x>)>,
     taken: HashSet<String>,
     /// The calls of blocks that lead to conditions, and the instances that are called, in capitals.
@@ -143,7 +143,7 @@ impl<'b, 'a, 'x: 'a> Bodies<'b, 'a, 'x> {
         }
     }
 
-    /// A name for an action that stands beside a step.
+    /// A name for an action that is beside a step.
     fn inlined(&mut self, step: &Step<'a, 'x>, inline: Node<'a, 'x>) -> String {
         let written = inline.attribute("name").unwrap_or_default();
         let name = match named(written) {

@@ -9,7 +9,7 @@ pub(super) struct Branches {
     /// Of each element what its lines come from.
     before: Vec<Vec<usize>>,
     kinds: Vec<Kind>,
-    /// How often an element has been looked at, all in all: a chart whose branches stand in each other without end is read no
+    /// How often an element has been looked at, all in all: a chart whose branches are in each other without end is read no
     /// further.
     work: usize,
 }

@@ -32,7 +32,7 @@ pub(super) fn expression(text: &str) -> Result<String, String> {
 ///
 /// # Errors
 /// The word that no statement has.
-pub(crate) fn statements(text: &str) -> Result<Vec<String>, String> {
+pub(super) fn statements(text: &str) -> Result<Vec<String>, String> {
     Ok(run(text)?.statements)
 }
 

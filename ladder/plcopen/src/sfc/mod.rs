@@ -22,7 +22,6 @@ use crate::project::{Pou, Variable};
 use crate::st::Units;
 use crate::text::Text;
 use bodies::Bodies;
-pub(crate) use list::statements;
 use net::Net;
 use roxmltree::Node;
 use unoclp_lang::{Code, Word};

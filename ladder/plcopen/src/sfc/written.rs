@@ -1,10 +1,10 @@
-//! What has been written of a chart, and what is told of it.
+//! What has been written of a chart, and what is reported about it.
 
 use crate::found::Found;
 use crate::text::Text;
 use unoclp_lang::{Code, Diagnostic, Span, Word};
 
-/// An expression, and where its pieces stand in the file.
+/// An expression, and where its pieces are in the file.
 pub(super) type Said = Vec<(String, Span)>;
 
 /// A chart as a text.

@@ -10,11 +10,11 @@ use crate::ways::Ways;
 use unoclp_lang::Code;
 use unoclp_lang::typed::{Role, Standard};
 
-/// Inputs that a block of the norm may go without.
+/// Inputs that a block of the standard may go without.
 const LOOSE: [&str; 4] = ["R", "LD", "CU", "CD"];
 
 impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
-    /// Calls a block, once; none where something is wrong, which is told.
+    /// Calls a block, once; none, with a message, where something is wrong.
     pub(super) fn block(&mut self, at: usize) -> Option<()> {
         if let Some(fine) = self.begun.get(&at) {
             return fine.then_some(());
@@ -48,7 +48,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
     }
 
-    /// The instance that a block calls; none where nothing declares it as one, which is told.
+    /// The instance that a block calls; none where nothing declares it as one, which is reported.
     pub(super) fn instance(&mut self, at: usize) -> Option<&'a str> {
         let node = self.network.elements[at].node;
         let instance = node.attribute("instanceName").unwrap_or_default();
@@ -143,7 +143,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
     }
 
-    /// An input to which nothing leads and without which a block of the norm does nothing.
+    /// An input to which nothing leads and without which a block of the standard does nothing.
     fn lacks(&self, at: usize, norm: Standard) -> Option<&'static str> {
         let pins = self.network.elements[at].inputs.iter();
         let wired: Vec<&str> = pins

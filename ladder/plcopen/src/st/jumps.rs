@@ -1,4 +1,4 @@
-//! Jumps to a label below: what stands between is done where none of them jumps.
+//! Jumps to a label below: what is between is done where none of them jumps.
 
 use super::Body;
 use super::sentences::piece;
@@ -29,7 +29,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
     }
 
-    /// A jump; none where its label does not stand below, which is told.
+    /// A jump; none where its label does not be below, which is reported.
     pub(super) fn jump(&mut self, at: usize) -> Option<()> {
         let network = self.network;
         let element = &network.elements[at];

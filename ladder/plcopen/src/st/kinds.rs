@@ -1,4 +1,4 @@
-//! Of which type a result is, where a variable has to keep it.
+//! The type of a result that a variable has to keep.
 
 use super::Body;
 use super::units::{returns, standard};
@@ -177,7 +177,7 @@ fn wider(one: &str, other: String) -> String {
     common.map_or(other, |base| base.name().to_owned())
 }
 
-/// Whether an input of a function of the norm is a truth, whatever it gives.
+/// Whether an input of a function of the standard is a truth, whatever it gives.
 fn is_truth(pin: &str) -> bool {
     pin.eq_ignore_ascii_case("EN") || pin.eq_ignore_ascii_case("G")
 }

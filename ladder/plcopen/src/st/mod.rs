@@ -1,10 +1,10 @@
-//! Drawn bodies as Structured Text: function block diagrams, and ladders for which no document has the elements.
+//! Bodies as Structured Text: function block diagrams, ladders for which no document has the elements, and lists.
 //!
 //! Owns in which order the elements of a body become statements. Must not know what a statement compiles to.
 //!
 //! - `power`: the way of the power to an element, as an expression
 //! - `blocks`: calls of function blocks; `functions`: results of functions
-//! - `fbd`: function block diagrams, which have an order of their own
+//! - `fbd`: function block diagrams, which have an order of their own; `list`: bodies in Instruction List
 //! - `jumps`: what a jump to a label below leaves out
 //! - `kinds`: of which type a result is, where it is stored
 //! - `sentences`: statements as they are written; `units`: what blocks a project has; `what`: what a block is; `wires`:
@@ -18,6 +18,7 @@ mod fbd;
 mod functions;
 mod jumps;
 mod kinds;
+pub(crate) mod list;
 mod power;
 mod sentences;
 mod units;
@@ -153,7 +154,7 @@ struct Body<'b, 'a, 'x> {
     labels: Vec<usize>,
     /// The variables that say where to jump, by the names of the labels.
     jumps: HashMap<&'a str, String>,
-    /// Of a diagram: the functions whose results stand in variables.
+    /// Of a diagram: the functions whose results are in variables.
     kept: Vec<bool>,
     /// Of a diagram: what ENO of a block says.
     enos: HashMap<usize, Eno>,
@@ -189,7 +190,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
     }
 
-    /// Writes what an element does at which power ends; none where something is wrong, which is told.
+    /// Writes what an element does at which power ends; none, with a message, where something is wrong.
     fn sink(&mut self, at: usize) -> Option<()> {
         let network = self.network;
         let element = &network.elements[at];

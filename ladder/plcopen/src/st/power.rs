@@ -1,4 +1,4 @@
-//! The way of the power to an element, as an expression.
+//! The power flow to an element, as an expression.
 
 use super::Body;
 use super::sentences::{Piece, inverted, piece};
@@ -45,7 +45,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         Some(circuit)
     }
 
-    /// Whether something declares the variable of a contact or a coil, which is told otherwise.
+    /// Whether something declares the variable of a contact or a coil, which is reported otherwise.
     pub(super) fn declared(&mut self, at: usize) -> Option<()> {
         let written = &self.network.elements[at].written;
         let name = written.split(['.', '[']).next().unwrap_or_default();
@@ -199,7 +199,7 @@ impl<'n, 'a, 'x: 'a> Ways<'n, 'a, 'x> for Body<'n, 'a, 'x> {
     }
 }
 
-/// What is written, so that it may stand beside an operator.
+/// What is written, so that it may be beside an operator.
 pub(super) fn operand(written: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "_.#%[]:".contains(c);
     match written.chars().all(is_plain) {

@@ -2,7 +2,7 @@
 
 use unoclp_lang::Span;
 
-/// A part of a text, and where what it says stands in the file.
+/// A part of a text, and where what it says is in the file.
 pub(crate) type Piece = (String, Span);
 
 pub(super) fn piece(text: &str, at: Span) -> Piece {
@@ -30,7 +30,7 @@ pub(super) struct Sentences {
 
 /// A statement, or several that have one condition.
 struct Sentence {
-    /// What stands between a jump and its label: done where none of these is TRUE.
+    /// What is between a jump and its label: done where none of these is TRUE.
     jumps: Vec<String>,
     /// None: always.
     condition: Option<Vec<Piece>>,

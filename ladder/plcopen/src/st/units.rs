@@ -1,4 +1,4 @@
-//! Which functions and function blocks a project has, and the norm.
+//! Which functions and function blocks a project has, and the standard.
 
 use crate::network::Element;
 use crate::project::Pou;
@@ -35,7 +35,7 @@ impl<'p, 'a, 'x: 'a> Units<'p, 'a, 'x> {
         sections.any(|section| matches!(section, "externalVars" | "inOutVars"))
     }
 
-    /// Whether an element is a function block: of the norm, the project's own, or one that others bring.
+    /// Whether an element is a function block: of the standard, the project's own, or one that others bring.
     pub(crate) fn is_block(&self, element: &Element<'_, '_>) -> bool {
         if element.kind != "block" {
             return false;
@@ -48,7 +48,7 @@ impl<'p, 'a, 'x: 'a> Units<'p, 'a, 'x> {
     }
 }
 
-/// The function block of the norm that has this name, in capitals.
+/// The function block of the standard that has this name, in capitals.
 pub(super) fn standard(name: &str) -> Option<Standard> {
     Standard::named(name).or_else(|| Standard::overloaded(name))
 }

@@ -1,4 +1,4 @@
-//! What each block is: a function block, a function, of the norm or of the project.
+//! What each block is: a function block, a function, of the standard or of the project.
 
 use super::units::Units;
 use crate::network::Network;
@@ -11,9 +11,9 @@ pub(super) enum What {
     Block,
     /// A function of the project.
     Own,
-    /// A comparison, or another function of the norm that gives a truth at once.
+    /// A comparison, or another function of the standard that gives a truth at once.
     Truth,
-    /// A function of the norm.
+    /// A function of the standard.
     Function,
     /// It is not known.
     Unknown,

@@ -1,4 +1,4 @@
-//! What wires do beside the way of the power: they lead in circles, and rungs write what they read.
+//! What wires do besides carrying power: they form loops, and rungs write what they read.
 
 use super::what::What;
 use crate::network::Network;

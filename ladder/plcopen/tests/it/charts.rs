@@ -397,7 +397,7 @@ fn what_is_wrong_is_told_by_the_names_of_steps_and_transitions() {
             good.replace("initialStep=\"true\"", ""),
             "ST-242 this chart has no initial step, so nothing in it would ever run",
         ),
-        (two(&st("c"), &valve), "ST-130 nothing declares `c`"),
+        (two(&st("c"), &valve), "ST-130 `c` is not declared"),
         (
             two(
                 &st("a"),

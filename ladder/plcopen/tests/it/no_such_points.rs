@@ -15,7 +15,7 @@ struct Table {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Case {
-    /// As the norm writes it.
+    /// As the standard writes it.
     written: String,
     /// Whether it is a number.
     #[serde(default)]
@@ -45,7 +45,7 @@ impl Case {
 /// A door, a text that comes in by it, and what it is told.
 type Came = (&'static str, String, Told);
 
-/// The text through every door that takes the notation of the norm.
+/// The text through every door that takes the notation of the standard.
 fn doors(case: &Case) -> Vec<Came> {
     let (at, ty) = (&case.written, if case.number { "INT" } else { "BOOL" });
     let board = Board::UNO;

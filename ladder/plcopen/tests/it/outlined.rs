@@ -17,7 +17,10 @@ fn a_project_is_a_tree_of_units_with_their_variables() {
         let outline = outline(&text).unwrap();
         assert!(!outline.units.is_empty(), "{name}");
         for unit in &outline.units {
-            assert!(["LD", "FBD", "ST"].contains(&&*unit.language), "{name}");
+            assert!(
+                ["LD", "FBD", "ST", "IL"].contains(&&*unit.language),
+                "{name}"
+            );
             assert!(text[unit.at.range()].contains(&unit.name), "{name}");
             for row in &unit.variables {
                 assert!(text[row.at.range()].contains(&row.name), "{name}");

@@ -1,6 +1,6 @@
 //! Bodies of text, and those that are not imported.
 
-use crate::{codes, project};
+use crate::{Pou, codes, project, project_of};
 use unoclp_core::Board;
 use unoclp_lang::Lang;
 use unoclp_plcopen::import;
@@ -133,11 +133,11 @@ fn messages_name_the_rung_and_the_element() {
         [
             [
                 "`Main`, rung 2, block `lamp` (TON): nothing leads to PT",
-                "`Main`, linha 2, bloco `lamp` (TON): nada chega a PT"
+                "`Main`, degrau 2, bloco `lamp` (TON): nada chega a PT"
             ],
             [
                 "`Main`, rung 3, block `DELAY`: the block `DELAY` cannot be imported",
-                "`Main`, linha 3, bloco `DELAY`: o bloco `DELAY` não pode ser importado"
+                "`Main`, degrau 3, bloco `DELAY`: o bloco `DELAY` não pode ser importado"
             ],
         ]
     );
@@ -151,4 +151,71 @@ fn a_body_on_several_sheets_is_told_with_what_to_do() {
     assert_eq!(told(&text), [[en.to_owned(), pt.to_owned()]]);
     let made = import(&text, Board::UNO);
     assert_eq!(made.diagnostics[0].help(Lang::En), "put it on one sheet");
+}
+
+/// A project of a program in Instruction List and one in Structured Text.
+fn beside(list: &str) -> String {
+    let list = format!("<IL><xhtml:p><![CDATA[{list}]]></xhtml:p></IL>");
+    let text = "<ST><xhtml:p>r := NOT b;</xhtml:p></ST>";
+    let others = r#"
+<variable name="b" address="%IX0.1"><type><BOOL/></type></variable>
+<variable name="r" address="%QX0.1"><type><BOOL/></type></variable>"#;
+    let pou = |name, variables, body| Pou {
+        name,
+        variables,
+        body,
+    };
+    let pous = [pou("Main", VARIABLES, &list), pou("Other", others, text)];
+    project_of(&pous, &["Main", "Other"])
+}
+
+#[test]
+fn what_a_list_beside_other_languages_cannot_have_is_told_at_its_place() {
+    for (list, code, place) in [
+        ("LD a\nagain: ST q\nJMP again\n", "XML-505", "JMP"),
+        ("LD a\nJMPC nowhere\nST q\n", "XML-505", "JMPC"),
+        ("ST q\nLD a\n", "XML-505", "ST"),
+        ("LD a\nJMPC on\non: ADD 1\n", "XML-505", "ADD"),
+        ("LD a\nAND\nST q\n", "XML-505", "AND"),
+        ("LD n\nEQ 4\nJMPC on\nCAL t\non: ST q\n", "XML-505", "ST"),
+        ("LD a\n)\nST q\n", "XML-505", ")"),
+        ("LD a\nAND nothing\nST q\n", "ST-130", "nothing"),
+    ] {
+        let text = beside(list);
+        let made = import(&text, Board::UNO);
+        let told = made.diagnostics.first().unwrap();
+        let found = (told.code.to_string(), &text[told.span.range()]);
+        assert_eq!(found, (code.to_owned(), place), "{list}");
+        for lang in [Lang::En, Lang::Pt] {
+            assert!(!told.message(lang).contains('{'), "{list}");
+        }
+        assert!(made.program.is_none());
+    }
+}
+
+#[test]
+fn a_line_of_a_list_beside_other_languages_knows_its_place() {
+    let text = beside("LD a (* a\ncomment *)\nANDN %IX0.2\nST q // the lamp\n");
+    let (_, map) = import(&text, Board::UNO).program.unwrap();
+    let mut lines = map
+        .steps
+        .iter()
+        .filter_map(|step| text.lines().nth(step.line - 1));
+    assert!(lines.any(|line| line.contains("ST q")));
+}
+
+#[test]
+fn no_list_makes_the_way_long() {
+    let deep = "AND( a\n".repeat(3_000) + &")\n".repeat(3_000);
+    let lists = [
+        format!("LD a\n{}ST q\n", "ADD 1\nMUL n\n".repeat(5_000)),
+        format!("LD a\n{deep}ST q\n"),
+        format!("LD a\n{}", "(".repeat(20_000)),
+        format!("LD a\n{}ST q\n", "NOT\n".repeat(20_000)),
+        "x: ".repeat(20_000),
+        "(*".repeat(20_000),
+    ];
+    for list in lists {
+        let _ = import(&beside(&list), Board::UNO);
+    }
 }

@@ -129,7 +129,7 @@ impl<'a> Walk<'_, 'a, '_> {
         }
     }
 
-    /// Calls a block of the norm with these inputs.
+    /// Calls a block of the standard with these inputs.
     pub(super) fn run_block(&mut self, target: &Target, given: Vec<Argument>, span: Span) {
         let body = self.front.c.builder.block(target.clone(), given, span);
         let cells = self.front.c.builder.tree.types.get(target.ty).cells;

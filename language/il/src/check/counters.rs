@@ -27,7 +27,7 @@ pub(super) struct Inputs {
 }
 
 impl Walk<'_, '_, '_> {
-    /// `CTU C2, 20` as the S7-200 has it, count and reset on its stack; `CTU C2, %IX2, 20` as the norm's prose has it: the
+    /// `CTU C2, 20` as the S7-200 has it, count and reset on its stack; `CTU C2, %IX2, 20` as the standard's prose has it: the
     /// counter, the contact of its reset, its preset. The accumulator is the count.
     pub(super) fn count_operator(&mut self, instr: &Instr) {
         let span = instr.whole;
@@ -71,7 +71,7 @@ impl Walk<'_, '_, '_> {
             }
             _ => None,
         };
-        // The S7-200 keeps its accumulator, where the norm's becomes Q.
+        // The S7-200 keeps its accumulator, where the standard's becomes Q.
         let by_norm = below.is_empty();
         let (count, control) = match (below.len(), instr.op) {
             (0, _) => (top, control),
@@ -165,7 +165,7 @@ impl Walk<'_, '_, '_> {
         }
     }
 
-    /// Counts, then loads, then resets, as the norm has it.
+    /// Counts, then loads, then resets, as the standard has it.
     pub(super) fn count(&mut self, operand: &Operand, target: &Target, inputs: Inputs, span: Span) {
         self.front.writes = true;
         let mut all = Vec::new();

@@ -359,7 +359,7 @@ impl Front<'_, '_> {
         }
     }
 
-    /// The type of a block: of the norm, or of the text, which is declared first.
+    /// The type of a block: of the standard, or of the text, which is declared first.
     fn block(&mut self, var: &Var, unit: usize) -> Option<TypeId> {
         let key = var.name.text.trim_start_matches('%');
         if let Some(standard) = self.standard(&var.ty.text, key) {
@@ -383,7 +383,7 @@ impl Front<'_, '_> {
         types.add_kind(Type::Standard(standard), standard.cells())
     }
 
-    /// The block of the norm that a timer or counter of this type and name is, by what the text does with it.
+    /// The block of the standard that a timer or counter of this type and name is, by what the text does with it.
     pub(super) fn standard(&self, ty: &str, name: &str) -> Option<Standard> {
         let uses = self.used.get(name);
         let ty = plain_block(ty);

@@ -1,5 +1,5 @@
 //! What the makers write in their own ways: `OUT T0 K50`, `TIM 000 #0050`, PLS. The accumulator stays what it was where
-//! the norm's would become the result.
+//! the standard's would become the result.
 
 use super::counters::Inputs;
 use super::operands::Is;

@@ -6,7 +6,7 @@
 //! - `used`: what the text does with its timers and counters, wherever they are declared
 //! - `declare`: units and variables; `first`: what they begin with
 //! - `operands`: what an operand means and what it is worth; `said`: words of messages
-//! - `typed`: values of other types than bits and whole numbers; `norm`: the functions of the norm
+//! - `typed`: values of other types than bits and whole numbers; `norm`: the functions of the standard
 //! - `front`: what is known of the whole text; `walk`: what is known of a body, `run`: what is held on the way through it
 //! - `lines`: what each line does; `labels`: where jumps lead, and which lines need the accumulator; `flow`: jumps, RET, IF
 //! - `accumulator`: the accumulator, and what is put aside of it; `bits`, `numbers`, `stores`, `edges`: what works on it

@@ -1,4 +1,4 @@
-//! Functions of the norm on values of whatever type, and operations of which one value is no number of the board.
+//! Functions of the standard on values of whatever type, and operations of which one value is no number of the board.
 
 use super::calls::positional;
 use super::typed::natural;
@@ -11,7 +11,7 @@ use unoclp_tree::build::{Argument, Given};
 use unoclp_tree::{Base, Convert, Expr, ExprKind, TypeId};
 
 impl Walk<'_, '_, '_> {
-    /// An operation of the norm on values of which one is no number of the board.
+    /// An operation of the standard on values of which one is no number of the board.
     pub(super) fn of_types(&mut self, op: Op, left: Expr, right: Expr, at: Span) -> Option<Expr> {
         let name = match op {
             Op::And => "AND",
@@ -62,7 +62,7 @@ impl Walk<'_, '_, '_> {
         }
     }
 
-    /// A function of the norm by its name, `LIMIT 0, 10`, or `LIMIT (MN := 0, IN := a, MX := 10)` without the accumulator.
+    /// A function of the standard by its name, `LIMIT 0, 10`, or `LIMIT (MN := 0, IN := a, MX := 10)` without the accumulator.
     pub(super) fn norm_operator(&mut self, instr: &Instr) {
         let name = self.front.names.written(instr.span);
         if instr.params.is_empty() {
@@ -91,7 +91,7 @@ impl Walk<'_, '_, '_> {
         self.run.unused = Some(instr.whole);
     }
 
-    /// A function of the norm on the accumulator.
+    /// A function of the standard on the accumulator.
     pub(super) fn norm(&mut self, name: &str, expr: Expr, instr: &Instr) {
         self.hint = Some(expr.ty);
         let mut given = vec![value(natural(expr))];
@@ -123,7 +123,7 @@ impl Walk<'_, '_, '_> {
         }
     }
 
-    /// Whether a shift is that of the norm: of what is no number of the board, or by a number that is computed.
+    /// Whether a shift is that of the standard: of what is no number of the board, or by a number that is computed.
     pub(super) fn shifts_bits(&self, expr: &Expr, instr: &Instr) -> bool {
         let by = instr.operands.first();
         let computed = by.is_some_and(|by| by.number().is_none() && !by.is_wrong());

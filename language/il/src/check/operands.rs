@@ -19,7 +19,7 @@ use unoclp_tree::{Base, Convert, Expr, Kind, Order, Root, Standard, TypeId, Valu
 pub(super) enum Is {
     Constant(Expr),
     Variable(Target),
-    /// A block of the norm as a whole.
+    /// A block of the standard as a whole.
     Block(Target, Standard),
     /// An instance of a block of the text.
     Instance(Target),
@@ -179,7 +179,7 @@ impl Walk<'_, '_, '_> {
         })
     }
 
-    /// A part of a block of the norm, whether the text may store to it or not.
+    /// A part of a block of the standard, whether the text may store to it or not.
     pub(super) fn part_of(
         &mut self,
         block: Target,

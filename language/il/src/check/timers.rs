@@ -47,7 +47,7 @@ impl Walk<'_, '_, '_> {
         let (Some(input), Some(preset)) = (input, preset) else {
             return;
         };
-        // On an S7-200 the accumulator stays what it is; by the norm it becomes Q.
+        // On an S7-200 the accumulator stays what it is; by the standard it becomes Q.
         if self.front.names.dialect != Dialect::S7200 {
             self.start_timer(operand, &target, Some(input), preset, span);
             return self.load_part(target, block, "Q", span);

@@ -205,7 +205,7 @@ impl Names<'_> {
     }
 }
 
-/// The block that has one of the norm's longer names: of `CTU_DINT`, CTU.
+/// The block that has one of the standard's longer names: of `CTU_DINT`, CTU.
 pub(crate) fn plain_block(ty: &str) -> &str {
     match ty.rsplit_once('_') {
         Some((plain, "INT" | "DINT")) if plain.starts_with("CT") => plain,

@@ -1,5 +1,5 @@
 //! Inputs of blocks that a text stores to before it calls them: `ST T1.IN`. Each is a marker, and keeps what it was
-//! given last, as the norm has it.
+//! given last, as the standard has it.
 
 use super::meaning::{Block, Names, Place};
 use crate::tree::Bit;

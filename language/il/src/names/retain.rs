@@ -26,8 +26,8 @@ const TIMER: Why = (
 );
 const EDGE: Why = ("an edge is not kept", "uma borda não é retida");
 const BLOCK: Why = (
-    "say RETAIN of what the block is to keep, in its own declarations",
-    "diga RETAIN daquilo que o bloco deve reter, nas declarações dele",
+    "write RETAIN in the block's own declarations of what it should keep",
+    "escreva RETAIN nas declarações do próprio bloco, no que ele deve reter",
 );
 const POINT: Why = (
     "inputs, outputs and PWM are not kept",

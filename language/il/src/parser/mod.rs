@@ -252,7 +252,7 @@ impl Parser<'_, '_> {
         self.is(self.peek(), "TYPE") && self.ahead(1).kind != Kind::Colon && self.begins_line()
     }
 
-    /// Whether this word is a function of the norm here.
+    /// Whether this word is a function of the standard here.
     fn is_norm(&self, word: &str) -> bool {
         !self.own.contains(word) && is_function(word)
     }

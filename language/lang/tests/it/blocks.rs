@@ -1,4 +1,4 @@
-//! Timers, counters, functions, jumps and numbers do what the norm says of them, on the board's own engine.
+//! Timers, counters, functions, jumps and numbers do what the standard says of them, on the board's own engine.
 
 use crate::common::{LARGE, inputs, large, plc, program};
 use unoclp_core::{Board, Image, Plc};
@@ -58,7 +58,7 @@ fn a_timers_preset_on_an_s7_200_counts_its_steps() {
         let codes = program(&text, &large()).codes();
         assert_eq!(codes[3], 3 * ms, "{timer}");
     }
-    // The accumulator stays what it is there, and is Q by the norm.
+    // The accumulator stays what it is there, and is Q by the standard.
     let text = "LD I0.0\nTON T37, 1\n= Q0.0\nLD T37\n= Q0.1";
     assert_eq!(run(text, &[(0, 1), (99, 1), (100, 1)]), [1, 1, 3]);
 }
@@ -87,7 +87,7 @@ fn counters_of_every_form() {
     );
 }
 
-/// A counter that resets itself is asked before it counts, as the norm evaluates a call.
+/// A counter that resets itself is asked before it counts, as the standard evaluates a call.
 #[test]
 fn a_counter_that_resets_itself() {
     let text = "CAL C1 (CU:=I1, R:=C1.Q, PV:=2)\nLD C1.Q\nST Q1";

@@ -85,7 +85,7 @@ fn examples_take_no_more_than_one_instruction_more_than_by_hand() {
 fn figures_of_timers_and_counters() {
     let ton = [0, 827301, 847978, 20000, 7901];
     assert_eq!(listing("figure16").codes(), ton);
-    // By the norm the number is ms; on an S7-200 it counts steps of 10 ms, as T1 has them.
+    // By the standard the number is ms; on an S7-200 it counts steps of 10 ms, as T1 has them.
     assert_eq!(listing("figure17").codes(), [0, 827301, 847978, 100, 7901]);
     assert_eq!(listing("figure18").codes(), [0, 827301, 847978, 1000, 7901]);
     assert_eq!(listing("figure20").codes(), ton);

@@ -198,7 +198,7 @@ fn each_production_and_statement_has_its_cases() {
     }
 }
 
-/// No production of the norm is left out: what one names, another one makes.
+/// No production of the standard is left out: what one names, another one makes.
 #[test]
 fn each_production_of_the_norm_has_those_it_names() {
     let made: HashSet<&str> = TYPES

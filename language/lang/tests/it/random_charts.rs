@@ -1,4 +1,4 @@
-//! Random charts: the interpreter and the board's core do what the norm says, scan by scan. `uno-sim` has the firmware do
+//! Random charts: the interpreter and the board's core do what the standard says, scan by scan. `uno-sim` has the firmware do
 //! the same.
 //!
 //! `UNOCLP_SEED` is the first seed.
@@ -13,7 +13,7 @@ use unoclp_testing::{Random, rounds};
 const CHARTS: u32 = 500;
 const SCANS: u32 = 60;
 
-/// What differs between the norm and the interpreter, by the names of the text.
+/// What differs between the standard and the interpreter, by the names of the text.
 fn difference(naive: &Naive<'_>, twins: &Twins<'_>, tree: &Tree, before: &str) -> Option<String> {
     let bit = |is: &bool| i128::from(*is);
     let named = |letter: &str, part: &str, values: Vec<i128>| {
@@ -31,7 +31,7 @@ fn difference(naive: &Naive<'_>, twins: &Twins<'_>, tree: &Tree, before: &str) -
         let symbol = tree.symbols.iter().find(|symbol| symbol.name == name)?;
         let (value, _) = twins.machine.value(symbol);
         if value.int() != wanted {
-            return Some(format!("{name} is {value:?}, but {wanted} by the norm"));
+            return Some(format!("{name} is {value:?}, but {wanted} by the standard"));
         }
     }
     None

@@ -1,6 +1,6 @@
 //! Timers, counters and edges.
 //!
-//! Owns which of them are blocks of the norm, and what the others are. Must not know what else is in a rung.
+//! Owns which of them are blocks of the standard, and what the others are. Must not know what else is in a rung.
 
 use super::counters::{Counter, Edge};
 use super::expr::{Expr, Place, Type, and, binary, call, compare, not, whole};
@@ -67,7 +67,7 @@ impl Machine<'_, '_> {
         }
     }
 
-    /// A block of the norm, with the reset or load of the rung after it.
+    /// A block of the standard, with the reset or load of the rung after it.
     fn count_block(&mut self, number: u8, up: bool, preset: i32, last: Option<usize>) {
         let is = |place| matches!(place, Place::At(Address::Count(n) | Address::Reached(n)) if n == number);
         if last.is_some() && self.acc.reads(&|place| matches!(place, Place::Value(_))) {

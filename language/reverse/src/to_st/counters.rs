@@ -1,4 +1,4 @@
-//! What a program does with its counters, and which of them are blocks of the norm.
+//! What a program does with its counters, and which of them are blocks of the standard.
 //!
 //! Owns both questions. Must not know expressions.
 

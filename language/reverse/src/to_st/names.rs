@@ -339,7 +339,7 @@ fn twin(place: Place) -> Option<Place> {
 }
 
 impl Body {
-    /// The functions that the text calls and that are none of the norm.
+    /// The functions that the text calls and that are none of the standard.
     pub fn functions(&self) -> &'static str {
         match self.roots {
             true => ROOT,

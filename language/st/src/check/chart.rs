@@ -61,7 +61,7 @@ impl<'a> Checker<'a, '_, '_> {
             "uma ação termina com o seu último comando",
         );
         let help = (
-            "put what is to be left out in an IF",
+            "put what should be skipped in an IF",
             "ponha em um IF o que não deve ser feito",
         );
         let words = ["RETURN".into(), why.into(), help.into()];

@@ -103,7 +103,7 @@ impl Checker<'_, '_, '_> {
         let known = self.builder.find_type(&ty.text);
         if known.is_none() {
             let help = both(
-                "write a type of the norm, T#, D#, or the name of an enumeration before #",
+                "write a standard type, T#, D#, or the name of an enumeration before #",
                 "escreva antes de # um tipo da norma, T#, D#, ou o nome de uma enumeração",
             );
             let words = [ty.text.as_str().into(), help];

@@ -39,8 +39,8 @@ impl Checker<'_, '_, '_> {
 
     fn told_form(&mut self, name: &Name, at: Span, like: &str) -> Option<Arc<Initial>> {
         let why = (
-            "the value has another form than the variable",
-            "o valor tem outra forma que a variável",
+            "the value does not have the form of the variable",
+            "o valor não tem a forma da variável",
         );
         let help = both(
             format!("write it like {like}"),

@@ -133,12 +133,12 @@ fn is_program(text: &str, file: &File, found: &mut Found) -> bool {
     }
     let why: Word = match file.globals.is_empty() && file.types.is_empty() {
         false => (
-            "the declarations are there, but no statement",
-            "as declarações estão aí, mas nenhum comando",
+            "it has declarations, but no statement",
+            "há declarações, mas nenhum comando",
         )
             .into(),
         true => (
-            "the text holds no statement",
+            "the text has no statement",
             "o texto não tem nenhum comando",
         )
             .into(),

@@ -89,8 +89,8 @@ impl Checker<'_, '_, '_> {
         match near {
             Some(near) => Word::Near(near.to_string()),
             None => (
-                "types are BOOL, INT, DINT, REAL, TIME and others of the norm, TON, CTU and other blocks, and those of TYPE and FUNCTION_BLOCK",
-                "há os tipos BOOL, INT, DINT, REAL, TIME e outros da norma, TON, CTU e outros blocos, e os de TYPE e FUNCTION_BLOCK",
+                "use BOOL, INT, DINT, REAL, TIME or another standard type, a block such as TON or CTU, or a type from TYPE or FUNCTION_BLOCK",
+                "use BOOL, INT, DINT, REAL, TIME ou outro tipo da norma, um bloco como TON ou CTU, ou um tipo de TYPE ou FUNCTION_BLOCK",
             )
                 .into(),
         }

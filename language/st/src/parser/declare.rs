@@ -137,7 +137,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// `AT %IX1`, which stands before the colon by the norm, and after the type in texts of other tools.
+    /// `AT %IX1`, which stands before the colon by the standard, and after the type in texts of other tools.
     fn located(&mut self) -> Parsed<Option<Name>> {
         if !self.accept_keyword(Keyword::At) {
             return Ok(None);

@@ -1,4 +1,4 @@
-//! Expressions, by the precedence of the norm (table 55): `**`, then `-` and `NOT`, `* / MOD`, `+ -`, `< > <= >=`,
+//! Expressions, by the precedence of the standard (table 55): `**`, then `-` and `NOT`, `* / MOD`, `+ -`, `< > <= >=`,
 //! `= <>`, `AND`, `XOR`, `OR`; from left to right.
 
 use super::super::ast::{Node, NodeKind, Op};

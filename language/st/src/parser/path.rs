@@ -31,8 +31,8 @@ impl Parser<'_, '_> {
         }
         let what = ("the name of a variable", "o nome de uma variável");
         let help = (
-            "write the variable that is meant",
-            "escreva a variável de que se trata",
+            "write the intended variable",
+            "escreva a variável pretendida",
         );
         let name = self.name(what, help)?;
         let mut path = Path {

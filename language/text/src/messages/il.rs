@@ -1,4 +1,4 @@
-//! What is said about Instruction List: codes 11 to 99.
+//! Messages about Instruction List: codes 11 to 99.
 
 macro_rules! il_rows {
     ($next:ident $($rest:tt)*) => {
@@ -119,9 +119,9 @@ macro_rules! il_rows {
         "há mais de 8 operações adiadas, umas dentro das outras"
         "guarde antes uma parte em uma memória: ST M1";
     34 InParentheses Error
-        "{0} cannot stand between ( and )"
+        "{0} is not allowed between ( and )"
         "close the deferred operation first"
-        "{0} não pode ficar entre ( e )"
+        "{0} não é permitido entre ( e )"
         "feche antes a operação adiada";
     35 NothingLoaded Error
         "the accumulator is empty here, so {0} has no value to work with"
@@ -144,9 +144,9 @@ macro_rules! il_rows {
         "não existe o ponto `{0}` nesta placa"
         "{1}";
     42 Undeclared Warning
-        "nothing declares `{0}`; it became a marker, {1}"
+        "`{0}` is not declared; it became a marker, {1}"
         "{2}"
-        "nada declara `{0}`; ele virou uma memória, {1}"
+        "`{0}` não foi declarado; ele virou uma memória, {1}"
         "{2}";
     43 NameTwice Error
         "`{0}` is declared twice"
@@ -204,9 +204,9 @@ macro_rules! il_rows {
         "{0} precisa de {1}"
         "escreva-o na chamada: CAL T1 (IN:=%IX1, PT:=T#20s), ou CAL C1 (CU:=%IX1, R:=%IX2, PV:=20)";
     54 PresetAssumed Warning
-        "nothing gives the preset of {0}; it is {1}, as on a Twido"
+        "{0} has no preset; it is {1}, as on a Twido"
         "declare it: VAR {0} : {2} END_VAR"
-        "nada dá a pré-seleção de {0}; ela fica em {1}, como em um Twido"
+        "{0} não tem pré-seleção; ela fica em {1}, como em um Twido"
         "declare-a: VAR {0} : {2} END_VAR";
     55 RetentiveNumber Warning
         "on an S7-200, {0} is a retentive timer (TONR); here TON makes it an on-delay timer"
@@ -269,9 +269,9 @@ macro_rules! il_rows {
         "CONFIGURATION é ignorada: a placa executa um só programa, em cada varredura"
         "apague-a; as declarações do VAR_GLOBAL dela continuam valendo";
     67 PresetZero Warning
-        "nothing gives the preset of {0}, so it is 0"
+        "{0} has no preset, so it is 0"
         "write it in the call, as {1}, or declare it: VAR {0} : {2}; END_VAR"
-        "nada dá a pré-seleção de {0}, por isso ela é 0"
+        "{0} não tem pré-seleção, por isso ela vale 0"
         "escreva-a na chamada, como {1}, ou declare-a: VAR {0} : {2}; END_VAR";
     68 NoGlobal Warning
         "no VAR_GLOBAL of this text declares `{0}`, so it is a variable of its own"

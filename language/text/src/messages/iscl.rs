@@ -1,4 +1,4 @@
-//! What is said about InterSCL alone: codes 301 to 399. What it shares with Structured Text is in `st`.
+//! Messages about InterSCL only: codes 301 to 399. What it shares with Structured Text is in `st`.
 
 macro_rules! iscl_rows {
     ($next:ident $($rest:tt)*) => {
@@ -34,9 +34,9 @@ macro_rules! iscl_rows {
         "`{0}` declara uma variável, mas há comandos antes dela"
         "mova-a para cima, antes do primeiro comando";
     307 IsclUndeclared Error
-        "nothing declares `{0}`"
+        "`{0}` is not declared"
         "{1}"
-        "nada declara `{0}`"
+        "`{0}` não foi declarado"
         "{1}";
     308 IsclNoElsif Error
         "InterSCL has no {0}"

@@ -1,4 +1,4 @@
-//! What is said about LCE alone: codes 401 to 499. What it shares with Structured Text is in `st`.
+//! Messages about LCE only: codes 401 to 499. What it shares with Structured Text is in `st`.
 
 macro_rules! lce_rows {
     ($next:ident $($rest:tt)*) => {
@@ -19,9 +19,9 @@ macro_rules! lce_rows {
         "`{0}` é uma constante, mas aqui é preciso uma variável"
         "{1}";
     404 LceUndeclared Error
-        "nothing is called `{0}`"
+        "there is no name `{0}`"
         "{1}"
-        "nada se chama `{0}`"
+        "não existe o nome `{0}`"
         "{1}";
     405 LceNoPoint Error
         "there is no point `{0}` on this board"

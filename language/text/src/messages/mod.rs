@@ -1,4 +1,4 @@
-//! Everything that can be said about a text, each with a stable code and its words in two languages.
+//! All messages about a text, each with a stable code and its words in two languages.
 //!
 //! `{0}`, `{1}` stand for what the place in the text adds. A code that has been published never changes
 //! its meaning. Each file here is a table: its rows, handed on to the next table and at last to `messages!`.
@@ -40,7 +40,7 @@ pub struct Row {
     pub table: &'static str,
     /// Its number, which never changes its meaning.
     pub number: u16,
-    /// How bad it is.
+    /// The severity of a message.
     pub severity: Severity,
     /// Its words in English.
     pub english: Words,

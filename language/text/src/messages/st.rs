@@ -1,4 +1,4 @@
-//! What is said about Structured Text, and about names and types in all typed languages: codes 101 to 299.
+//! Messages about Structured Text, and about names and types in all typed languages: codes 101 to 299.
 
 macro_rules! st_rows {
     ($next:ident $($rest:tt)*) => {
@@ -80,9 +80,9 @@ macro_rules! st_rows {
         "escreva {1} : {0};";
     116 StPassedOver Warning
         "{0} is ignored: each PROGRAM runs once in every scan"
-        "the board has no tasks; you need not change anything"
+        "the board has no tasks; no change is needed"
         "{0} é ignorado: cada PROGRAM é executado uma vez por varredura"
-        "a placa não tem tarefas; você não precisa mudar nada";
+        "a placa não tem tarefas; não é preciso mudar nada";
     117 StUnsupported Error
         "{0} cannot be used here"
         "{1}"
@@ -115,9 +115,9 @@ macro_rules! st_rows {
         "use nomes mais curtos, ou uma matriz menor";
     123 StForeignUnit Warning
         "`{0}` contains C code and is ignored: nothing uses it"
-        "you need not change anything"
+        "no change is needed"
         "`{0}` contém código em C e é ignorado: nada o usa"
-        "você não precisa mudar nada";
+        "não é preciso mudar nada";
     124 StForeignCode Error
         "`{0}` contains C code in braces, which the board does not run"
         "write it in Structured Text, or delete what uses it"
@@ -139,7 +139,7 @@ macro_rules! st_rows {
         "nenhuma placa tem o ponto `{0}`; no PC ele é `{1}`"
         "unoclp adapt escreve uma cópia com pontos de uma placa";
     128 StInputStored Warning
-        "`{0}` is an input, and what is stored there lasts until the next scan alone"
+        "`{0}` is an input, and a value stored there lasts only until the next scan"
         "the board reads its inputs before each scan; use a variable without an address"
         "`{0}` é uma entrada, e o que se guarda nela só dura até a próxima varredura"
         "a placa lê as entradas antes de cada varredura; use uma variável sem endereço";
@@ -149,9 +149,9 @@ macro_rules! st_rows {
         "não há programa aqui: funções e blocos de funções não fazem nada até que um programa os chame"
         "escreva PROGRAM principal, os comandos e END_PROGRAM, se for para executar";
     130 StUndeclared Error
-        "nothing declares `{0}`"
+        "`{0}` is not declared"
         "{1}"
-        "nada declara `{0}`"
+        "`{0}` não foi declarado"
         "{1}";
     131 StNameTwice Error
         "`{0}` is declared twice"
@@ -424,14 +424,14 @@ macro_rules! st_rows {
         "com os corpos de todas as chamadas, o programa é grande demais para a placa"
         "chame menos blocos e funções, ou menores: cada chamada copia o corpo deles";
     221 BackNoWords Error
-        "line {1}: Structured Text has no words for {0}"
+        "line {1}: Structured Text cannot express {0}"
         "list the program as Instruction List or numeric code"
-        "linha {1}: o Texto Estruturado não tem palavras para {0}"
+        "linha {1}: o Texto Estruturado não consegue exprimir {0}"
         "liste o programa em Lista de Instruções ou código numérico";
     222 BackIntoPart Error
         "line {1}: {0} jumps into a part of an IF, and Structured Text cannot express that"
         "put the label before the IF or after its END"
-        "linha {1}: {0} desvia para dentro de uma parte de um IF, o que o Texto Estruturado não exprime"
+        "linha {1}: {0} desvia para dentro de uma parte de um IF, o que o Texto Estruturado não consegue exprimir"
         "ponha o rótulo antes do IF ou depois do END dele";
     223 BackTimerInLoop Error
         "line {1}: {0} is in a loop; in Structured Text a timer has one call in a scan"
@@ -469,9 +469,9 @@ macro_rules! st_rows {
         "`{0}` e `{1}` são ambas etapas iniciais do mesmo SFC"
         "escreva STEP no lugar de INITIAL_STEP em uma delas; etapas que nenhuma transição une às outras são um SFC próprio";
     244 StStepTwice Error
-        "`{0}` stands twice in this list"
+        "`{0}` appears twice in this list"
         "delete one of them"
-        "`{0}` está duas vezes nesta lista"
+        "`{0}` aparece duas vezes nesta lista"
         "apague uma delas";
     245 StNoAction Error
         "`{0}` is neither an action of this chart nor a BOOL variable"
@@ -489,9 +489,9 @@ macro_rules! st_rows {
         "o qualificador {0} precisa de um tempo"
         "escreva {1}({0}, T#5s);";
     248 StChartPlace Error
-        "`{0}` cannot stand here: {1}"
+        "`{0}` is not allowed here: {1}"
         "{2}"
-        "`{0}` não pode ficar aqui: {1}"
+        "`{0}` não é permitido aqui: {1}"
         "{2}";
     249 StActionUnused Warning
         "no step uses the action `{0}`, so it is never executed"
@@ -534,9 +534,9 @@ macro_rules! st_rows {
         "o qualificador {0} não leva tempo"
         "escreva {1}({0}); ou um qualificador com tempo: L, D, SD, DS, SL";
     257 StBitsCounted Warning
-        "{0} is a bit string, which the norm does not compute with: here it is taken as {1}"
+        "{0} is a bit string, and the standard has no arithmetic for those: here it counts as {1}"
         "declare the variable as {1}"
-        "{0} é uma cadeia de bits, com a qual a norma não calcula: aqui ela é tomada como {1}"
+        "{0} é uma cadeia de bits, e a norma não calcula com elas: aqui ela vale como {1}"
         "declare a variável como {1}";
         }
     };

@@ -1,4 +1,4 @@
-//! What is said about projects in PLCopen XML: codes 501 to 599.
+//! Messages about projects in PLCopen XML: codes 501 to 599.
 
 macro_rules! xml_rows {
     ($next:ident $($rest:tt)*) => {
@@ -24,10 +24,10 @@ macro_rules! xml_rows {
         "o corpo de `{0}` é {1}, que não pode ser importado"
         "{2}";
     505 XmlMixed Error
-        "`{0}` is in {1}, but `{2}` is in {3}: programs in IL cannot stand beside others"
-        "write all programs in {1}, or all in {3}"
-        "`{0}` está em {1}, mas `{2}` está em {3}: programas em IL não podem ficar ao lado de outros"
-        "escreva todos os programas em {1}, ou todos em {3}";
+        "`{0}` is in IL beside other languages, where {1} cannot be imported"
+        "write `{0}` in ST, or the whole project in IL"
+        "`{0}` está em IL ao lado de outras linguagens, e ali {1} não pode ser importado"
+        "escreva `{0}` em ST, ou o projeto inteiro em IL";
     506 XmlAddress Error
         "{0}: there is no point `{1}` on this board"
         "{2}"
@@ -39,15 +39,15 @@ macro_rules! xml_rows {
         "{0}: `{1}` é {2}, mas aqui é preciso {3}"
         "";
     508 XmlUndeclared Error
-        "{0}: nothing declares `{1}`"
+        "{0}: `{1}` is not declared"
         "declare it in the table of variables"
-        "{0}: nada declara `{1}`"
+        "{0}: `{1}` não foi declarado"
         "declare-o na tabela de variáveis";
     509 XmlBlock Error
         "{0}: the block `{1}` cannot be imported"
-        "add a function or a function block of this name to the project, or use blocks of the norm (docs/structured-text.md)"
+        "add a function or a function block with this name to the project, or use standard blocks (docs/structured-text.md)"
         "{0}: o bloco `{1}` não pode ser importado"
-        "use contatos, bobinas, TON TOF TP, CTU CTD CTUD, SR RS, R_TRIG F_TRIG, GT GE EQ NE LE LT, MOVE ADD SUB MUL DIV MOD ou AND OR XOR NOT";
+        "acrescente ao projeto uma função ou um bloco de funções com este nome, ou use blocos da norma (docs/structured-text.pt-BR.md)";
     510 XmlPin Error
         "{0}: nothing leads to {1}"
         "draw a wire from the left, or write a value at it"
@@ -65,14 +65,14 @@ macro_rules! xml_rows {
         "puxe o fio outra vez";
     513 XmlLoop Error
         "{0}: the wires lead back to where they began"
-        "break the circle: feed back by a contact of the coil"
+        "break the loop: feed back through a contact of the coil"
         "{0}: os fios voltam para onde começaram"
-        "abra o círculo: realimente por um contato da bobina";
+        "abra o laço: realimente por um contato da bobina";
     514 XmlTangle Error
         "{0}: the wires around it are neither in series nor in parallel"
         "give it a rung of its own, and read its result with a contact"
         "{0}: os fios em volta dele não estão em série nem em paralelo"
-        "dê a ele uma linha própria, e leia o resultado com um contato";
+        "dê a ele um degrau próprio, e leia o resultado com um contato";
     515 XmlNotRun Warning
         "no task runs the program `{0}`, so it is skipped"
         "create an instance of it in the resource"
@@ -102,11 +102,11 @@ macro_rules! xml_rows {
         "{0}: there is no label `{1}`"
         "put the label at the head of a rung"
         "{0}: não há um rótulo `{1}`"
-        "ponha o rótulo no começo de uma linha";
+        "ponha o rótulo no começo de um degrau";
     523 XmlLost Warning
         "rung {0}: a ladder of PLCopen XML has no form for `{1}`; the project is in Instruction List"
         "draw it with the contacts, coils and blocks listed in docs/plcopen.md"
-        "linha {0}: um ladder do PLCopen XML não tem forma para `{1}`; o projeto está em Lista de Instruções"
+        "degrau {0}: um ladder do PLCopen XML não tem forma para `{1}`; o projeto está em Lista de Instruções"
         "desenhe com os contatos, bobinas e blocos listados em docs/plcopen.pt-BR.md";
     524 XmlNoSink Warning
         "{0}: `{1}` leads to no output"
@@ -159,14 +159,14 @@ macro_rules! xml_rows {
         "{0}: o nome ou a expressão tem {1} bytes, e são lidos no máximo 1000"
         "escreva-o mais curto, ou calcule antes uma parte dele";
     534 XmlJump Error
-        "{0}: the label `{1}` stands above, and in a ladder with wires that lead back, blocks of the project's own, conversions, SEL and the like a jump leads on alone"
+        "{0}: the label `{1}` is above; a ladder with feedback wires, the project's own blocks, conversions or SEL can only jump to labels below"
         "a scan begins again by itself: jump to a label below, or write the loop in ST"
-        "{0}: o rótulo `{1}` fica acima, e em um ladder com fios que voltam, blocos do próprio projeto, conversões, SEL e semelhantes um desvio só leva adiante"
+        "{0}: o rótulo `{1}` está acima; um ladder com fios de realimentação, blocos do próprio projeto, conversões ou SEL só desvia para rótulos abaixo"
         "a varredura recomeça por si mesma: desvie para um rótulo abaixo, ou escreva o laço em ST";
     535 XmlNoGlobal Warning
-        "no global variable `{0}` is declared, so one is made of it"
+        "no global variable `{0}` is declared, so it is created"
         "declare it among the global variables of the resource, with its address"
-        "nenhuma variável global `{0}` está declarada; por isso uma é criada"
+        "nenhuma variável global `{0}` está declarada; por isso ela foi criada"
         "declare-a entre as variáveis globais do recurso, com o endereço";
     536 XmlLoose Warning
         "{0}: nothing leads to it, so it is left out"
@@ -174,9 +174,9 @@ macro_rules! xml_rows {
         "{0}: nada chega a ele, e por isso ele é ignorado"
         "ligue-o a um fio vindo da esquerda, ou apague-o";
     538 XmlSameName Error
-        "another unit is called `{0}` too: letters of both cases are alike"
+        "another unit is also called `{0}`; upper and lower case are the same"
         "rename one of the two"
-        "outra unidade também se chama `{0}`: maiúsculas e minúsculas são iguais"
+        "outra unidade também se chama `{0}`; maiúsculas e minúsculas valem o mesmo"
         "mude o nome de uma das duas";
     540 XmlMacro Error
         "{0}: a macro step cannot be imported"

@@ -54,7 +54,7 @@ pub struct Named {
     pub within: Option<usize>,
     /// Its type as it is written; of a function that of its result.
     pub ty: Option<Span>,
-    /// The point that it stands at.
+    /// The point that it is at.
     pub point: Option<Span>,
     /// The word that begins its section: `VAR_INPUT`.
     pub section: Option<Span>,

@@ -1,4 +1,4 @@
-//! What a text in the words of the norm declares: Structured Text, SCL, Instruction List.
+//! What a text in the words of the standard declares: Structured Text, SCL, Instruction List.
 
 use super::{Named, Outline, What, begins_name};
 use crate::colour::Colour;
@@ -169,7 +169,7 @@ impl<'t> Walk<'t> {
         self.at += 1;
     }
 
-    /// A section of variables, up to its end or what cannot stand in one.
+    /// A section of variables, up to its end or what cannot be in one.
     fn variables(&mut self, section: Span) {
         while let Some(word) = self.word(0) {
             if word.is_border() {

@@ -1,4 +1,4 @@
-//! Calls of instances: blocks of the text and of the norm.
+//! Calls of instances: blocks of the text and of the standard.
 //!
 //! Owns that an instance of a timer has one call, not in a loop; a counter and an edge may have several. Owns what is
 //! done to a timer or a counter beside its call.

@@ -115,7 +115,7 @@ fn conversion_named(name: &str) -> Option<(Option<&str>, Base)> {
     Some((Some(from), Base::named(to)?))
 }
 
-/// The name, in capitals, of a function that the norm has for times alone too: `SUB_TIME`.
+/// The name, in capitals, of a function that the standard has for times alone too: `SUB_TIME`.
 pub fn usual(name: &str) -> &str {
     match name {
         "ADD_TIME" | "ADD_TOD_TIME" | "ADD_DT_TIME" => "ADD",
@@ -158,8 +158,8 @@ impl Builder<'_, '_> {
         let row = TABLE.iter().find(|row| row.0 == key);
         let Some(Row(name, parameters, does)) = row else {
             let help = (
-                "such a name is made of two types: REAL_TO_INT",
-                "um nome assim se faz com dois tipos: REAL_TO_INT",
+                "such a name consists of two types: REAL_TO_INT",
+                "um nome desses é formado por dois tipos: REAL_TO_INT",
             );
             self.tell(Code::StNoConversion, at, [name.into(), help.into()]);
             return self.wrong(at);

@@ -97,7 +97,7 @@ impl Builder<'_, '_> {
                 write(self.converting(format!("{from}_TO_{to}"), written))
             }
             _ => both(
-                format!("take a value of type {name}"),
+                format!("use a value of type {name}"),
                 format!("use um valor do tipo {name}"),
             ),
         }
@@ -168,7 +168,7 @@ impl Builder<'_, '_> {
             }
             _ if base.is_text() => ("CONCAT joins texts", "CONCAT junta textos").into(),
             _ => both(
-                format!("take a variable of another type for {written}"),
+                format!("use a variable of another type for {written}"),
                 format!("use uma variável de outro tipo para {written}"),
             ),
         };

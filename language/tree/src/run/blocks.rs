@@ -1,4 +1,4 @@
-//! The function blocks of the norm (2.5.2.3) and of the board, on the cells of an instance.
+//! The function blocks of the standard (2.5.2.3) and of the board, on the cells of an instance.
 
 use super::Machine;
 use crate::{Base, Order, Standard, Value, narrow};

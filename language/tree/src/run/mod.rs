@@ -6,7 +6,7 @@
 //!
 //! - `expressions`, `statements`: the nodes
 //! - `places`: from a place to a cell; `groups`: cells that are eight bits as one number
-//! - `blocks`: the function blocks of the norm
+//! - `blocks`: the function blocks of the standard
 //! - `extra`: the functions of the PC alone
 
 mod blocks;

@@ -3,6 +3,10 @@
 use crate::draw::Speak;
 use crate::facts;
 pub use crate::given::Given;
+#[cfg(feature = "full")]
+use crate::given::wrong;
+#[cfg(feature = "full")]
+use crate::slow::Left;
 use crate::words::Both;
 #[cfg(feature = "full")]
 use serde_json::Value;
@@ -74,10 +78,45 @@ fields! {
 
 #[cfg(feature = "full")]
 fields! {
+    Trail, "readonly (readonly [from: number, to: number, acc: boolean, value: number | null, images: number | null])[]", trail;
+    Steps, "readonly number[] | null", |given, key| match given.is_there(key) {
+        true => given.list(key)?.iter().map(|step| index(step).ok_or_else(|| wrong(key))).collect::<Result<_, _>>().map(|steps| Steps(Some(steps))),
+        false => Ok(Steps(None)),
+    };
     Option<Given>, "Act | null", Given::below_if;
     Log, "readonly Act[]", |given, key| given.list(key).map(Log);
     Blocks, "CardImage[\"blocks\"]", |given, _| crate::card::blocks(given).map(Blocks);
     Text, "Text", |given, key| given.below(key).map(Text);
+}
+
+/// What a scan has left, as far as it has come.
+#[cfg(feature = "full")]
+pub struct Trail(pub Vec<Left>);
+
+/// Instructions, from 0; none: any.
+#[cfg(feature = "full")]
+pub struct Steps(pub Option<Vec<usize>>);
+
+#[cfg(feature = "full")]
+fn trail(given: &mut Given, key: &str) -> Result<Trail, Both> {
+    let left = |value: &Value| match value.as_array()?.as_slice() {
+        [from, to, acc, value, images] => Some(Left {
+            from: index(from)?,
+            to: index(to)?,
+            acc: acc.as_bool()?,
+            value: value.as_i64().and_then(|value| i32::try_from(value).ok()),
+            images: images.as_u64().and_then(|images| u8::try_from(images).ok()),
+        }),
+        _ => None,
+    };
+    let list = given.list(key)?;
+    let trail: Option<Vec<Left>> = list.iter().map(left).collect();
+    trail.map(Trail).ok_or_else(|| wrong(key))
+}
+
+#[cfg(feature = "full")]
+fn index(value: &Value) -> Option<usize> {
+    usize::try_from(value.as_u64()?).ok()
 }
 
 /// A text with its name.

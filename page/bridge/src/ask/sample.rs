@@ -87,6 +87,14 @@ impl Page {
             "step" | "order" | "lose" | "close" => {
                 self.board = self.ok(&json!({ "ask": "open", "core": true, "reset": false }));
             }
+            "slowly" => {
+                self.board = self.ok(&json!({ "ask": "open", "core": true, "reset": false }));
+                let text = json!({ "ask": "text", "name": "a.il", "text": "LD I1\nST Q1\n" });
+                let version = self.ok(&text);
+                let order = json!({ "do": "upload", "version": version });
+                self.ok(&json!({ "ask": "order", "board": self.board, "order": order }));
+                self.ok(&json!({ "ask": "step", "board": self.board, "now": 0, "came": [] }));
+            }
             "machine" => {}
             _ if ask.starts_with("machine") => {
                 self.ok(
@@ -135,6 +143,7 @@ impl Page {
             }
             ("step" | "order" | "lose" | "close", "board") => self.board.clone(),
             ("board", "board") => self.any(&[json!("uno"), json!("nano"), json!("pc")]),
+            ("slowly", "board") => self.board.clone(),
             (_, "board") => self.any(&[json!("uno"), json!("nano")]),
             (_, "base") => json!({ "name": "a.il", "text": "LD I1\nST Q1\n" }),
             (_, "log") => json!([{ "do": "insert", "what": "contact", "place": "behind" }]),
@@ -155,6 +164,8 @@ impl Page {
                 self.now += 20;
                 json!(self.now)
             }
+            ("slowly", "to") => self.any(&[json!([0, 2]), Value::Null]),
+            (_, "left") => json!([[0, 1, true, 7, 3], [2, 2, false, null, null]]),
             (_, "came") => json!([]),
             (_, "address") => json!(1 + self.random.below(247)),
             (_, "rate") => json!(115_200),

@@ -1,12 +1,14 @@
 //! The asks.
 
 #[cfg(feature = "full")]
-use super::field::{Blocks, Log, Text};
+use super::field::{Blocks, Log, Steps, Text, Trail};
 use super::{Below, Columns, asks};
 #[cfg(feature = "full")]
 use crate::adapt::Adapted;
 #[cfg(feature = "full")]
 use crate::assist::{Change, Meant, Mended, Offers, UsedAt};
+#[cfg(feature = "full")]
+use crate::board::Live;
 use crate::board::Step;
 #[cfg(feature = "full")]
 use crate::card::Card;
@@ -27,6 +29,8 @@ use crate::program::Checked;
 use crate::project::{Project, UnitShown};
 #[cfg(feature = "full")]
 use crate::replay::Replay;
+#[cfg(feature = "full")]
+use crate::slow::Stood;
 use unoclp_core::Board;
 #[cfg(feature = "full")]
 use unoclp_edit::Shelf;
@@ -61,7 +65,7 @@ asks! {
 }
 
 /// What takes the module that has everything.
-pub const MORE: [&str; 35] = [
+pub const MORE: [&str; 37] = [
     "list",
     "adapt",
     "pages",
@@ -94,6 +98,8 @@ pub const MORE: [&str; 35] = [
     "form",
     "remedies",
     "chart",
+    "slow",
+    "slowly",
     "project",
     "unit",
     "alter",
@@ -183,6 +189,11 @@ asks! {
         version: Version, look: Option<String>, chart: u32, what: Option<String>, at: Option<String>, say: Option<String>,
         qualifier: Option<String>, time: Option<String>
     } -> Box<Charted>;
+    /// What there is to show of it while a board stands in the middle of a scan, which has left this so far.
+    Slow "slow" { version: Version, left: Trail } -> Live;
+    /// The scan that this computer makes goes on, to where one of these instructions comes next, or any; `through` the ends of scans,
+    /// or else to the end of this one. Null where it has not come there yet.
+    Slowly "slowly" { board: u32, to: Steps, through: bool } -> Option<Stood>;
     /// The units of a project, and their variables.
     Project "project" { version: Version } -> Box<Project>;
     /// The body of a unit of a project; null where it has none.

@@ -34,7 +34,7 @@ const PICTURE: u64 = 16;
 
 /// What it does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum State {
+pub(super) enum State {
     Empty,
     Run,
     Stop,
@@ -56,6 +56,9 @@ pub struct Core {
     /// What is forced, inputs and outputs, by number.
     forced: [BTreeMap<u8, bool>; 2],
     faults: u16,
+    /// The scan that is under way in slow motion.
+    #[cfg(feature = "full")]
+    pub(super) slow: Option<super::slowly::Slow>,
 }
 
 /// A program that it holds.
@@ -78,6 +81,8 @@ impl Core {
             inputs: Inputs::default(),
             forced: Default::default(),
             faults: 0,
+            #[cfg(feature = "full")]
+            slow: None,
         }
     }
 
@@ -205,12 +210,20 @@ impl Core {
             .ok_or_else(|| both(words::none_given))?;
         program.watched.machine().with_plc(|plc| plc.restart());
         program.flow = Flow::default();
+        #[cfg(feature = "full")]
+        {
+            self.slow = None;
+        }
         self.state = state;
         Ok(())
     }
 
     /// A scan with the inputs as they are, or are forced to be.
     fn scan(&mut self) {
+        #[cfg(feature = "full")]
+        if self.finish() {
+            return;
+        }
         let Some(program) = &mut self.program else {
             return;
         };
@@ -232,6 +245,77 @@ impl Core {
                 self.faults = self.faults.saturating_add(1);
             }
         }
+    }
+
+    /// What it does.
+    #[cfg(feature = "full")]
+    pub(super) fn state(&self) -> State {
+        self.state
+    }
+
+    /// ms since it began.
+    #[cfg(feature = "full")]
+    pub(super) fn now(&self) -> Millis {
+        self.uptime
+    }
+
+    /// The inputs of a scan, as they are, or are forced to be.
+    #[cfg(feature = "full")]
+    pub(super) fn read(&self) -> Inputs {
+        let mut inputs = self.inputs;
+        inputs.points = forced(inputs.points, &self.forced[0]);
+        inputs
+    }
+
+    /// Its contacts.
+    #[cfg(feature = "full")]
+    pub(super) fn closed(&self) -> Image {
+        self.inputs.points
+    }
+
+    /// The PLC of its program, where it has one.
+    #[cfg(feature = "full")]
+    pub(super) fn with_plc<T>(&mut self, with: impl FnOnce(&mut Plc<'_>) -> T) -> Option<T> {
+        self.program.as_mut().map(|program| program.with_plc(with))
+    }
+
+    /// What there is to show of a scan.
+    #[cfg(feature = "full")]
+    pub(super) fn show(&self, flow: &Flow) -> Option<super::Live> {
+        self.program
+            .as_ref()
+            .map(|program| program.watched.show(flow))
+    }
+
+    /// A scan is over.
+    #[cfg(feature = "full")]
+    pub(super) fn take(&mut self, flow: Flow, image: Image) {
+        let outputs = forced(image, &self.forced[1]);
+        let now = self.uptime;
+        if let Some(program) = &mut self.program {
+            program.flow = flow;
+            let snapshot = Snapshot {
+                outputs,
+                ..Snapshot::default()
+            };
+            program.with_plc(|plc| adopt(plc, snapshot, now));
+        }
+    }
+
+    /// A millisecond goes by.
+    #[cfg(feature = "full")]
+    pub(super) fn go_by(&mut self, machine: &mut Option<Machine>) {
+        self.uptime = self.uptime.wrapping_add(1);
+        if let Some(machine) = machine {
+            self.drive(machine);
+        }
+    }
+
+    /// Its program has come to a fault.
+    #[cfg(feature = "full")]
+    pub(super) fn fail(&mut self, fault: Fault) {
+        self.state = State::Fault(fault);
+        self.faults = self.faults.saturating_add(1);
     }
 
     fn force(&mut self, output: bool, number: u8, to: Option<bool>) -> Result<(), Both> {

@@ -87,6 +87,7 @@ impl session::Desk for Desk {
         self.tell(match event {
             Event::Found(identity) => News::Found {
                 identity: identity.to_string(),
+                board: identity.board().map(|board| board.id()),
             },
             Event::Seen(reading) => see(reading, &mut self.watched.borrow_mut()),
             Event::Lost(away) => News::Lost {

@@ -19,6 +19,8 @@ mod desk;
 )]
 mod news;
 mod order;
+#[cfg(feature = "full")]
+mod slowly;
 #[cfg_attr(
     not(feature = "full"),
     allow(
@@ -30,10 +32,14 @@ mod wanted;
 mod watched;
 
 pub use order::{Ordered, orders};
+#[cfg(feature = "full")]
+pub use watched::{Live, Watched};
 
 use crate::answer::answer;
 use crate::clock::{NEVER, time, whole_ms};
 use crate::program::source;
+#[cfg(feature = "full")]
+use crate::slow::{self, Left, Stood};
 use crate::words::{self, Both, No, both};
 use core::Core;
 use desk::Desk;
@@ -44,7 +50,10 @@ use unoclp_client::session::talk;
 use unoclp_client::{Conversation, Line, Next, Parity, Patience};
 use unoclp_core::Board;
 use unoclp_program::{Lang, Source, not_sent};
+#[cfg(feature = "full")]
+use unoclp_workspace::Version;
 use unoclp_workspace::{Analysis, Workspace};
+#[cfg(not(feature = "full"))]
 use watched::Watched;
 
 /// A conversation that is to begin.
@@ -99,6 +108,9 @@ pub struct Boards {
     /// A page has one machine. The core gives it its outputs, and takes its inputs.
     #[cfg(feature = "full")]
     pub(crate) machine: Option<crate::machine::Machine>,
+    /// The program that was shown in slow motion last.
+    #[cfg(feature = "full")]
+    slow: Option<(Version, Watched)>,
     /// A page has one drawing.
     #[cfg(feature = "full")]
     pub(crate) drawing: Option<crate::edit::Drawing>,
@@ -116,6 +128,8 @@ impl Default for Boards {
             last: 0,
             #[cfg(feature = "full")]
             machine: None,
+            #[cfg(feature = "full")]
+            slow: None,
             #[cfg(feature = "full")]
             drawing: None,
         }
@@ -152,6 +166,7 @@ impl Boards {
             Some(board) => {
                 desk.tell(News::Found {
                     identity: board.name.to_owned(),
+                    board: Some(board.id()),
                 });
                 With::Core(Box::new(Core::new(board)))
             }
@@ -232,6 +247,40 @@ impl Boards {
             }
         }
         Ok(number)
+    }
+
+    /// Goes on with the scan of the core; `Core::slowly` says how.
+    ///
+    /// # Errors
+    /// Where there is no conversation with the core, or it runs no program.
+    #[cfg(feature = "full")]
+    pub fn slowly(
+        &mut self,
+        board: u32,
+        to: Option<&[usize]>,
+        through: bool,
+    ) -> Result<Option<Stood>, Both> {
+        let session = self.sessions.get_mut(&board);
+        let session = session.ok_or_else(|| both(|lang| words::no_board(lang, board)))?;
+        match &mut session.with {
+            With::Core(core) => core.slowly(to, through, &mut self.machine),
+            With::Line(_) => Err(both(words::none_runs)),
+        }
+    }
+
+    /// What there is to show of a program whose scan has come so far on a board.
+    ///
+    /// # Errors
+    /// Where the text is no program.
+    #[cfg(feature = "full")]
+    pub fn stood(&mut self, version: Version, left: &[Left]) -> Result<Live, No> {
+        let mut slow = self.slow.take().filter(|(known, _)| *known == version);
+        if slow.is_none() {
+            let text = crate::program::known(version, &mut self.workspace)?;
+            slow = Some((version, Watched::new(&text)?));
+        }
+        let (_, watched) = self.slow.insert(slow.ok_or_else(|| both(words::faulty))?);
+        Ok(slow::live(watched, left))
     }
 
     /// The line is gone, and why.

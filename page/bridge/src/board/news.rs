@@ -15,8 +15,8 @@ pub(super) use crate::program::Stored as Kept;
 spoken! {
     /// What a page is told.
     pub enum News as "News", by "news" {
-        /// A board has answered.
-        Found { identity: String },
+        /// A board has answered; and which it is, as a request names it, where that is known.
+        Found { identity: String, board: Option<&'static str> },
         /// There is no board, or no longer one. It is sought on.
         Lost { why: Both },
         /// All that there is to show.

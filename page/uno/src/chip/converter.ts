@@ -8,9 +8,9 @@ const HIGHEST = 1023;
 /** The thermometer at 25 °C, mV. */
 const THERMOMETER = 314;
 
-/** Connects a converter; `millivolts` is the voltage at a pin of port C. */
-export function converter(cpu: CPU, millivolts: (pin: number) => number): void {
-  const adc = new AVRADC(cpu, adcConfig);
+/** Connects a converter with this interrupt; `millivolts` is the voltage at a channel. */
+export function converter(cpu: CPU, adcInterrupt: number, millivolts: (channel: number) => number): void {
+  const adc = new AVRADC(cpu, { ...adcConfig, adcInterrupt });
   adc.onADCRead = (input) => {
     const at =
       input.type === ADCMuxInputType.SingleEnded ? millivolts(input.channel)

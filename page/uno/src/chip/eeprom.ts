@@ -2,7 +2,6 @@
 // until it ends; what a power cut in between leaves behind is settled here.
 
 import { type EEPROMBackend, eepromConfig } from "avr8js";
-import { EEPROM_LEN } from "../messages";
 
 const ERASED = 0xff;
 /** Cycles of erasing and writing a byte: 3.4 ms (ATmega328P datasheet, table 8-1). */
@@ -17,28 +16,31 @@ export function eepromRegisters(writeCycles: number): typeof eepromConfig {
 
 export class Eeprom implements EEPROMBackend {
   /** What is read, and what is there when a write has come to its end. */
-  readonly bytes = new Uint8Array(EEPROM_LEN).fill(ERASED);
+  readonly bytes: Uint8Array;
   /** The byte that is being written, and until which cycle. */
   private writing: { readonly address: number; readonly until: number } | null = null;
 
-  /** `began` is called as a write begins. */
+  /** Of so many bytes; `began` is called as a write begins. */
   constructor(
+    length: number,
     private readonly now: () => number,
     private readonly began: () => void,
     readonly writeCycles = WRITE_CYCLES,
-  ) {}
+  ) {
+    this.bytes = new Uint8Array(length).fill(ERASED);
+  }
 
   readMemory(address: number): number {
-    return this.bytes[address % EEPROM_LEN] ?? ERASED;
+    return this.bytes[address % this.bytes.length] ?? ERASED;
   }
 
   eraseMemory(address: number): void {
-    this.bytes[address % EEPROM_LEN] = ERASED;
+    this.bytes[address % this.bytes.length] = ERASED;
     this.begin(address);
   }
 
   writeMemory(address: number, value: number): void {
-    this.bytes[address % EEPROM_LEN] = this.readMemory(address) & value;
+    this.bytes[address % this.bytes.length] = this.readMemory(address) & value;
     this.begin(address);
   }
 
@@ -49,7 +51,7 @@ export class Eeprom implements EEPROMBackend {
   }
 
   private begin(address: number): void {
-    this.writing = { address: address % EEPROM_LEN, until: this.now() + this.writeCycles };
+    this.writing = { address: address % this.bytes.length, until: this.now() + this.writeCycles };
     this.began();
   }
 }

@@ -1,4 +1,4 @@
-// What an opcode asks for: the instructions of the ATmega328P (AVR Instruction Set Manual, DS40002198), each by the bits
+// What an opcode asks for: the instructions of the ATmega328P and ATmega2560 (AVR Instruction Set Manual, DS40002198), each by the bits
 // that say so.
 
 /** The kinds of instructions. Those from LD_X on reach into the data space, those from ST_X on to write. */
@@ -45,6 +45,9 @@ export const enum Kind {
   BCLR,
   IJMP,
   ICALL,
+  /** The same two, where somebody wants to know what the firmware's engine fetches. */
+  FETCH,
+  FIRST_FETCH,
   RET,
   RETI,
   JMP,
@@ -179,6 +182,13 @@ const PATTERNS: readonly (readonly [mask: number, value: number, kind: Kind])[] 
 export const KINDS = Uint8Array.from({ length: 1 << 16 }, (_, opcode) => {
   return PATTERNS.find(([mask, value]) => (opcode & mask) === value)?.[2] ?? Kind.OTHER;
 });
+
+/** Has the two jumps through which the firmware's engine goes to a handler tell of it, or no longer; no other instruction
+ * takes longer by that. */
+export function tellFetches(tells: boolean): void {
+  KINDS[0x9409] = tells ? Kind.FETCH : Kind.IJMP;
+  KINDS[0x9509] = tells ? Kind.FIRST_FETCH : Kind.ICALL;
+}
 
 /** Words of the instruction that begins with this opcode. */
 export function wordsOf(opcode: number): number {

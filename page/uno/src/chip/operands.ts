@@ -91,6 +91,11 @@ export function near(opcode: number): number {
   return (opcode << 20) >> 20;
 }
 
+/** What `jmp` and `call` have above the 16 bits of their second word. */
+export function above(opcode: number): number {
+  return ((opcode & 1) << 16) | ((opcode & 0x1f0) << 13);
+}
+
 /** The register of `sbi`, `cbi`, `sbic` and `sbis`. */
 export function port(opcode: number): number {
   return IO + ((opcode >> 3) & 31);

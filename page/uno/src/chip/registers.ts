@@ -1,4 +1,5 @@
-// Where the registers of the ATmega328P stand in its data space (datasheet, section 36), and their bits.
+// Where the registers stand in the data space of the ATmega328P (datasheet, section 36), and their bits. Those of the
+// ATmega2560 that are named here stand in the same places.
 
 export const SPCR = 0x4c;
 /** SPI is on, in SPCR. */
@@ -20,10 +21,6 @@ export const UBRRL = 0xc4;
 export const UBRRH = 0xc5;
 export const UDR = 0xc6;
 
-/** First address of the RAM. */
-export const RAM = 0x100;
-/** Bytes of the RAM. */
-export const RAM_LEN = 2048;
 /** Working registers, which a reset leaves alone like the RAM. */
 export const WORKING_REGISTERS = 32;
 

@@ -17,9 +17,11 @@ import {
   widened,
 } from "./flags";
 import { KINDS, Kind, wordsOf } from "./opcodes";
-import { SP, Y, Z, addressOf, constant, near, other, pair, port, setPair, signed, upper, wide } from "./operands";
-import { RAM } from "./registers";
+import { SP, X, Y, Z, above, addressOf, constant, near, other, pair, port, setPair, signed, upper, wide } from "./operands";
+import type { Fetches } from "./fetches";
 
+/** No place is marked. */
+const NONE = new Uint8Array(0);
 /** Cycles that are counted without a look at the clock: as many fit an integer. */
 const FAR = 1 << 29;
 
@@ -29,14 +31,19 @@ export interface Span {
   until: number;
   /** And no further than to this one, at which something is due. */
   due: number;
+  /** Who is told of what the engine fetches, as long as its jumps tell of it. */
+  fetches?: Fetches | null;
 }
 
 /**
- * Executes instructions to the end of the span, or until one at this address, in words, is the next; at least one.
+ * Executes instructions of a chip whose RAM begins at `ram` to the end of the span, or until one at this address, in words, is the next; at least one.
  * While an interrupt waits, it executes one alone.
  */
-export function execute(cpu: CPU, span: Span, stop: number): void {
-  const { data, progMem, progBytes } = cpu;
+export function execute(cpu: CPU, span: Span, stop: number, ram: number): void {
+  const { data, progMem, progBytes, pc22Bits: far } = cpu;
+  // An address on the stack has two bytes, or three.
+  const pushed = far ? 3 : 2;
+  const marks = span.fetches?.marks ?? NONE;
   // The flash is a power of two words long.
   const last = progMem.length - 1;
   const start = cpu.cycles;
@@ -55,7 +62,7 @@ export function execute(cpu: CPU, span: Span, stop: number): void {
       } else at = addressOf(data, kind, opcode);
       if (kind < Kind.ST_X) {
         if (kind !== Kind.IN) spent += 1;
-        if (at >= RAM) data[d] = data[at]!;
+        if (at >= ram) data[d] = data[at]!;
         else {
           cpu.cycles = start + spent;
           data[d] = cpu.readData(at);
@@ -63,7 +70,7 @@ export function execute(cpu: CPU, span: Span, stop: number): void {
           end = room(cpu, span, start);
         }
       } else {
-        if (at >= RAM) data[at] = data[d]!;
+        if (at >= ram) data[at] = data[d]!;
         else {
           cpu.cycles = start + spent;
           cpu.writeData(at, data[d]!);
@@ -256,31 +263,42 @@ export function execute(cpu: CPU, span: Span, stop: number): void {
           pc = pair(data, Z) - 1;
           spent += 1;
           break;
+        case Kind.FETCH:
+          pc = pair(data, Z) - 1;
+          spent += 1;
+          if (marks[pair(data, X)] && span.fetches?.note(data)) end = 0;
+          break;
+        case Kind.FIRST_FETCH:
+          push(data, pc + 1, far);
+          pc = pair(data, Z) - 1;
+          spent += pushed;
+          if (marks[pair(data, X)] && span.fetches?.note(data)) end = 0;
+          break;
         case Kind.JMP:
-          pc = progMem[(pc + 1) & last]! - 1;
+          pc = (above(opcode) | progMem[(pc + 1) & last]!) - 1;
           spent += 2;
           break;
         case Kind.RCALL:
-          push(data, pc + 1);
+          push(data, pc + 1, far);
           pc += near(opcode);
-          spent += 2;
+          spent += pushed;
           break;
         case Kind.ICALL:
-          push(data, pc + 1);
+          push(data, pc + 1, far);
           pc = pair(data, Z) - 1;
-          spent += 2;
+          spent += pushed;
           break;
         case Kind.CALL:
-          push(data, pc + 2);
-          pc = progMem[(pc + 1) & last]! - 1;
-          spent += 3;
+          push(data, pc + 2, far);
+          pc = (above(opcode) | progMem[(pc + 1) & last]!) - 1;
+          spent += pushed + 1;
           break;
         case Kind.RETI:
         case Kind.RET: {
-          const sp = pair(data, SP) + 2;
+          const sp = pair(data, SP) + pushed;
           setPair(data, SP, sp);
-          pc = ((data[sp - 1]! << 8) | data[sp]!) - 1;
-          spent += 3;
+          pc = (((far ? data[sp - 2]! : 0) << 16) | (data[sp - 1]! << 8) | data[sp]!) - 1;
+          spent += pushed + 1;
           if (kind === Kind.RETI) data[SREG] = data[SREG]! | I;
           break;
         }
@@ -384,9 +402,10 @@ function room(cpu: CPU, span: Span, start: number): number {
   return Math.min(span.until - start, span.due - start, FAR) | 0;
 }
 
-function push(data: Uint8Array, address: number): void {
+function push(data: Uint8Array, address: number, far: boolean): void {
   const sp = pair(data, SP);
   data[sp] = address;
   data[sp - 1] = address >> 8;
-  setPair(data, SP, sp - 2);
+  if (far) data[sp - 2] = address >> 16;
+  setPair(data, SP, sp - (far ? 3 : 2));
 }

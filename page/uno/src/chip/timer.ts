@@ -8,8 +8,8 @@ import type { AVRTimerConfig, CPU } from "avr8js";
 import type { Interrupt } from "./interrupt";
 
 const TOV = 1;
-/** Flags OCFA and OCFB; the bits that enable their interrupts stand in the same places. */
-const OCF = [2, 4] as const;
+/** Flags OCFA, OCFB and OCFC; the bits that enable their interrupts stand in the same places. */
+const OCF = [2, 4, 8] as const;
 
 /** "other" stands only while the program sets a mode in two steps, with the timer stopped. */
 type Mode = "normal" | "ctc" | "fast-pwm" | "other";
@@ -42,7 +42,7 @@ const CLEAR = 3;
 /** What a match does, by COM. */
 const AT_MATCH = [RELEASE, 4, CLEAR, SET] as const;
 
-/** One of the two compare units. */
+/** One of the compare units: there are two, or three. */
 interface Unit {
   readonly flag: number;
   readonly interrupt: Interrupt;
@@ -58,7 +58,7 @@ interface Unit {
 
 export class Timer {
   private readonly max: number;
-  private readonly units: readonly [Unit, Unit];
+  private readonly units: readonly [Unit, ...Unit[]];
   private readonly overflow: Interrupt;
   private mode: Mode = "normal";
   private top: Top;
@@ -93,13 +93,14 @@ export class Timer {
     this.units = [
       unit(OCF[0], config.compAInterrupt, config.compPortA, config.compPinA),
       unit(OCF[1], config.compBInterrupt, config.compPortB, config.compPinB),
+      ...(config.OCRC ? [unit(OCF[2], config.compCInterrupt, config.compPortC, config.compPinC)] : []),
     ];
     this.hook();
   }
 
-  /** Whether this timer makes pulses on the pin of its unit A. */
-  get drivesA(): boolean {
-    return this.units[0].output !== 0;
+  /** Whether this timer makes pulses on the pin of a unit, from 0 on. */
+  drives(unit: number): boolean {
+    return (this.units[unit]?.output ?? 0) !== 0;
   }
 
   private hook(): void {
@@ -132,8 +133,8 @@ export class Timer {
       this.count = value;
       this.written = true;
     });
-    this.hookNumber(config.OCRA, (value) => this.setCompare(this.units[0], value));
-    this.hookNumber(config.OCRB, (value) => this.setCompare(this.units[1], value));
+    const compares = [config.OCRA, config.OCRB, config.OCRC];
+    this.units.forEach((unit, n) => this.hookNumber(compares[n] ?? 0, (value) => this.setCompare(unit, value)));
     if (config.ICR) {
       this.hookNumber(config.ICR, (value) => {
         this.icr = value;
@@ -179,7 +180,7 @@ export class Timer {
   }
 
   private interrupts(): readonly Interrupt[] {
-    return [this.overflow, this.units[0].interrupt, this.units[1].interrupt];
+    return [this.overflow, ...this.units.map((unit) => unit.interrupt)];
   }
 
   private readonly begin = (): void => {
@@ -286,7 +287,7 @@ export class Timer {
     const enabled = this.register(this.config.TIMSK);
     const last = this.last();
     const pulses = this.units.some((unit) => unit.output !== 0);
-    let waited = pulses || enabled & (TOV | OCF[0] | OCF[1]) ? last + 1 : Infinity;
+    let waited = pulses || enabled & (TOV | OCF[0] | OCF[1] | OCF[2]) ? last + 1 : Infinity;
     for (const unit of this.units) {
       const wanted = unit.output !== 0 || enabled & unit.flag;
       if (wanted && unit.compare >= this.count) waited = Math.min(waited, unit.compare + 1);

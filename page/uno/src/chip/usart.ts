@@ -1,7 +1,7 @@
 // The serial port of the chip, with its buffers and errors, in place of avr8js' own, which has none and refuses a byte
 // while another one comes (ATmega328P datasheet, section 20). Nine bits, the synchronous modes and MPCM are left out.
 
-import { type CPU, usart0Config } from "avr8js";
+import type { CPU } from "avr8js";
 import { type Read, type Setting, lengthOf } from "../serial";
 import type { Interrupt } from "./interrupt";
 import { UBRRH, UBRRL, UCSRA, UCSRB, UCSRC, UDR } from "./registers";
@@ -40,17 +40,18 @@ export class Usart {
   private readonly udre: Interrupt;
   private readonly txc: Interrupt;
 
-  /** `sent` takes each byte as its stop bit ends, with the setting it was sent with. */
+  /** `first` is the first of its three interrupts; `sent` takes each byte as its stop bit ends, with the setting it was sent with. */
   constructor(
     private readonly cpu: CPU,
+    first: number,
     private readonly sent: (byte: number, setting: Setting) => void,
   ) {
     const interrupt = (address: number, mask: number, constant: boolean): Interrupt => {
       return { address, flagRegister: UCSRA, flagMask: mask, enableRegister: UCSRB, enableMask: mask, constant };
     };
-    this.rxc = interrupt(usart0Config.rxCompleteInterrupt, RXC, true);
-    this.udre = interrupt(usart0Config.dataRegisterEmptyInterrupt, UDRE, true);
-    this.txc = interrupt(usart0Config.txCompleteInterrupt, TXC, false);
+    this.rxc = interrupt(first, RXC, true);
+    this.udre = interrupt(first + 2, UDRE, true);
+    this.txc = interrupt(first + 4, TXC, false);
     cpu.data[UCSRA] = UDRE;
     cpu.data[UCSRC] = EIGHT_BITS;
     this.hook();

@@ -3,19 +3,23 @@
 // obeyed in order. The page does not contain this.
 
 import { readSync, writeSync } from "node:fs";
+import { WIRINGS } from "../wiring";
 import { Bench } from "./bench";
 
 /** Requests: a byte, and what follows it. */
-const FIRMWARE = 0; // flash, 32,768 bytes
+const FIRMWARE = 0; // board u8: 0 UNO, 1 Mega; its flash
 const START = 1; // cycles of an EEPROM write u32, length of the card u32, blocks u32, then each: number u32, 512 bytes
 const POWER = 2;
 const WRITE = 3; // address u16, length u16, bytes
-const INPUTS = 4; // closed u8
+const INPUTS = 4; // closed u32
 const ANALOGUE = 5; // input u8, reading u16
 const SEND = 6; // length u16, bytes
 const RUN = 7; // byte address u32, NOWHERE for none; cycles u32
+const SLOW = 8; // byte addresses of symbols u32, in the order of `Places`; answered by 1 where the board keeps a program, else 0
+const TRAIL = 9; // answered as `Bench.trail` says
 
 const NOWHERE = 0xffff_ffff;
+const BOARDS = ["uno", "mega"] as const;
 
 /** Standard input, as much of it as one asks for. */
 class Input {
@@ -72,7 +76,8 @@ const bench = new Bench();
 for (let request = input.take(1); request; request = input.take(1)) {
   switch (request.getUint8(0)) {
     case FIRMWARE:
-      bench.flash = new Uint16Array(input.bytes(32 * 1024).buffer);
+      bench.board = BOARDS[input.number(1)] ?? "uno";
+      bench.flash = new Uint16Array(input.bytes(WIRINGS[bench.board].chip.flash).buffer);
       break;
     case START: {
       const writeCycles = input.number(4);
@@ -86,7 +91,7 @@ for (let request = input.take(1); request; request = input.take(1)) {
       bench.write(input.number(2), input.bytes(input.number(2)));
       break;
     case INPUTS:
-      bench.press(input.number(1));
+      bench.press(input.number(4));
       break;
     case ANALOGUE:
       bench.turn(input.number(1), input.number(2));
@@ -99,6 +104,14 @@ for (let request = input.take(1); request; request = input.take(1)) {
       answer(bench.run(address === NOWHERE ? null : address, input.number(4)));
       break;
     }
+    case SLOW: {
+      const [engine_link, link_one, link_flush, link_put, engine_end, scan_begin, ENGINE_MORE_INPUTS] = Array.from({ length: 7 }, () => input.number(4)) as [number, number, number, number, number, number, number];
+      answer(Uint8Array.of(Number(bench.goSlowly({ engine_link, link_one, link_flush, link_put, engine_end, scan_begin, ENGINE_MORE_INPUTS }))));
+      break;
+    }
+    case TRAIL:
+      answer(bench.trail());
+      break;
     default:
       throw new Error(`no request ${request.getUint8(0)}`);
   }

@@ -1,5 +1,6 @@
-// What the page asks of the machine beside its board, through the board's worker. Nothing here but types.
+// What the page asks of the board's worker beside its commands: of the machine, and of slow motion. Nothing here but types.
 
+import type { Go, Places, Standing } from "unoclp-uno/slow";
 import type { Wrong } from "../tools/answers";
 
 /** The module with everything, once, before the first request; then requests for the machine. */
@@ -14,3 +15,12 @@ export interface OfMachine {
   readonly ok?: unknown;
   readonly error?: Wrong;
 }
+
+/** Slow motion of the board: it is held, goes on to where this says, is let go. Its time runs and stands by the board's own commands. */
+export type ForSlow =
+  | { readonly kind: "slow-hold"; readonly places: Places }
+  | { readonly kind: "slow-go"; readonly go: Go }
+  | { readonly kind: "slow-end" };
+
+/** Whether it is held: it keeps a program then; and where it stands. */
+export type OfSlow = { readonly kind: "slow-held"; readonly is: boolean } | { readonly kind: "slow-stood"; readonly standing: Standing };

@@ -2,10 +2,11 @@
 
 import { type Command, type Event, type Scope, serve } from "unoclp-uno";
 import { Refusal, Tools } from "../tools/tools";
-import type { ForMachine, OfMachine } from "./messages";
+import type { Slow } from "unoclp-uno/slow";
+import type { ForMachine, ForSlow, OfMachine, OfSlow } from "./messages";
 import { Wired } from "./wired";
 
-const scope = self as unknown as Scope<Event | OfMachine, Command | ForMachine>;
+const scope = self as unknown as Scope<Event | OfMachine | OfSlow, Command | ForMachine | ForSlow>;
 let tools: Promise<Tools> | null = null;
 
 async function answer(id: number, what: string, request: unknown): Promise<void> {
@@ -25,9 +26,22 @@ async function answer(id: number, what: string, request: unknown): Promise<void>
   }
 }
 
-const session = serve(scope, (data: Command | ForMachine): data is ForMachine => {
+let slow: Slow | null = null;
+
+async function slowly(asked: ForSlow): Promise<void> {
+  if (asked.kind === "slow-go") return slow?.go(asked.go);
+  slow?.release();
+  slow = session.stopper = null;
+  if (asked.kind === "slow-end") return;
+  const { hold } = await import("unoclp-uno/slow");
+  slow = hold(session, asked.places, (standing) => scope.postMessage({ kind: "slow-stood", standing }));
+  scope.postMessage({ kind: "slow-held", is: slow !== null });
+}
+
+const session = serve(scope, (data: Command | ForMachine | ForSlow): data is ForMachine | ForSlow => {
   if (data.kind === "machine-module") tools = Tools.of(data.module);
   else if (data.kind === "machine-ask") void answer(data.id, data.what, data.request);
+  else if (data.kind === "slow-hold" || data.kind === "slow-go" || data.kind === "slow-end") void slowly(data);
   else return false;
   return true;
 });

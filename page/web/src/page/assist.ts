@@ -99,7 +99,7 @@ export function assist(around: Around, root: HTMLElement): Extension {
   // The menu closes first: an act may open it again.
   const later = (act: (view: EditorView) => void): void => void setTimeout(() => writing && act(writing));
   const own = menu("textMenu", null, () =>
-    shown?.() ?? commands.map(([id, key, press, act]) => entry(say(key), () => later(act), press, id)));
+    shown?.() ?? commands.map(([id, key, press, act]) => entry(say(key), () => later(act), press.replace(/[a-z]$/, (letter) => letter.toUpperCase()), id)));
   root.querySelector(".text-menu")?.remove();
   const bar = h("div", { class: "text-menu" }, own);
   translate(bar);

@@ -1,11 +1,13 @@
 // The bench: one board at a time, simulated or on the desk, and what is known of it.
 
-import type { Event, Pins } from "unoclp-uno";
+import type { BoardId, Event, Pins } from "unoclp-uno";
+import type { Go } from "unoclp-uno/slow";
 import type { Line } from "../line/line";
-import type { Ask, BoardFacts, Both, News, Order, Seen, Settings, Text } from "../tools/answers";
+import type { Ask, BoardFacts, Both, News, Order, Seen, Settings, Stood, Text } from "../tools/answers";
 import type { Modules } from "../tools/modules";
 import { Died, NeedsMore, Refusal, Tools } from "../tools/tools";
 import { NoLine } from "../line/none";
+import { beside } from "../offline/beside";
 import { both, say } from "../words/words";
 import { type Clock, Conversation, WALL } from "./conversation";
 import { DeskMachine } from "./deskmachine";
@@ -15,11 +17,17 @@ import { Signal } from "./signal";
 import { SimulatedBoard } from "./simulated";
 import { type Way, Ways, formatOf } from "./ways";
 
-/** The simulated UNO, a board on the desk, or the core on this computer, which runs what is written for no board. */
+/** The simulated board, one on the desk, or the core on this computer, which runs what is written for no board. */
 export type Where = "simulated" | "desk" | "core";
 
 /** How far an upload is: 0 to 1; storing. */
 export type Upload = { readonly share: number } | "storing" | null;
+
+/** The firmware of a board that is simulated. */
+export async function firmwareOf(id: BoardId): Promise<Uint8Array> {
+  const file = id === "uno" ? "unoclp.bin" : `unoclp-${id}.bin`;
+  return new Uint8Array(await (await beside(file)).arrayBuffer());
+}
 
 export class Bench {
   readonly where = new Signal<Where>("simulated");
@@ -57,7 +65,7 @@ export class Bench {
     return this.tools;
   });
   /** What the simulated board has. */
-  private readonly uno: BoardFacts;
+  private facts: BoardFacts;
   private whenLost = (): void => undefined;
   private line: Line | null = null;
   private talk: Conversation | null = null;
@@ -71,8 +79,8 @@ export class Bench {
     worker: Worker,
     private readonly tell: (both: Both) => void,
   ) {
-    this.uno = tools.ask("board", {});
-    this.board = new Signal(this.uno);
+    this.facts = tools.ask("board", {});
+    this.board = new Signal(this.facts);
     this.simulated = new SimulatedBoard(worker, (event) => this.hearBoard(event));
     this.ofWorker = new WorkerMachine(worker, modules);
   }
@@ -125,6 +133,23 @@ export class Bench {
     await this.connect("core", new NoLine(), false);
   }
 
+  /** Goes to this simulated board, which may be another one than before; settled when it answers. */
+  async simulate(board: BoardFacts): Promise<void> {
+    const id: BoardId = board.id === "mega" ? "mega" : "uno";
+    const isOther = this.simulated.id !== id;
+    if (!isOther) return this.where.value === "simulated" ? undefined : this.useSimulated();
+    const firmware = await firmwareOf(id);
+    await this.disconnect();
+    this.facts = board;
+    this.on.value = null;
+    this.giveWay("simulated");
+    this.where.value = "simulated";
+    this.board.value = board;
+    this.paused.value = false;
+    this.simulated.start(id, firmware);
+    await new Promise<void>((found) => this.identity.follow((identity) => identity !== null && found()));
+  }
+
   /** Goes back to the simulated board. */
   async useSimulated(): Promise<void> {
     if (this.power.value) return this.connect("simulated", this.simulated.line, false);
@@ -138,7 +163,7 @@ export class Bench {
     if (where === this.where.value) return;
     if ([where, this.where.value].includes("core")) this.on.value = null;
     if (where === "core") this.simulated.tell({ kind: "pause" });
-    else this.board.value = this.uno;
+    else this.board.value = this.facts;
     if (this.where.value === "core") this.simulated.tell({ kind: "run" });
     this.own.stand(false);
     this.paused.value = false;
@@ -146,8 +171,8 @@ export class Bench {
 
   private opening(program: Text | null, reset: boolean): Ask<"open"> {
     // This computer has no program until it is given one.
-    const core = this.where.value === "core" ? { of: null, core: true, board: this.board.value.id } : {};
-    return { of: program, reset, ...this.way, ...core };
+    const core = this.where.value === "core" ? { of: null, core: true } : {};
+    return { of: program, reset, board: this.board.value.id, ...this.way, ...core };
   }
 
   private isWhole = false;
@@ -257,7 +282,7 @@ export class Bench {
 
   /** Watches the board by a program that it has. */
   async watch(text: Text): Promise<void> {
-    await this.order({ do: "watch", of: text });
+    await this.order({ do: "watch", of: text, board: this.board.value.id });
     this.on.value = text;
   }
 
@@ -292,6 +317,11 @@ export class Bench {
     } finally {
       this.flashing.value = null;
     }
+  }
+
+  /** Goes on with the scan that this computer makes. */
+  slowly(go: Go): Stood | null {
+    return this.talk?.slowly(go) ?? null;
   }
 
   /** What is asked of the board at hand takes time: a simulated one goes on. */
@@ -346,6 +376,8 @@ export class Bench {
   private hear(news: News): void {
     switch (news.news) {
       case "found":
+        // One on the desk says which it is.
+        if (news.board !== null && this.where.value === "desk") this.board.value = this.tools.ask("board", { board: news.board });
         this.identity.value = news.identity;
         this.lost.value = null;
         break;

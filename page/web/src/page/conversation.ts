@@ -1,8 +1,9 @@
 // A conversation with a board: Rust says what is sent and when; here are the line and the clock.
 
 import type { SerialFormat } from "unoclp-uno";
+import type { Go } from "unoclp-uno/slow";
 import type { Line, Listener } from "../line/line";
-import type { Ask, News, Order } from "../tools/answers";
+import type { Ask, News, Order, Stood } from "../tools/answers";
 import type { Asks } from "../tools/asks";
 import { Died, type Tools } from "../tools/tools";
 import { formatOf } from "./ways";
@@ -15,6 +16,8 @@ export interface Clock {
   factor(): number;
   /** Who hears that it goes at another speed from now on. */
   readonly turned: Set<() => void>;
+  /** Where the time is an estimate: asks what it is, behind all that has come until then. */
+  ask?(): Promise<void>;
 }
 
 export const WALL: Clock = { now: () => performance.now(), factor: () => 1, turned: new Set() };
@@ -93,6 +96,11 @@ export class Conversation {
     this.leave();
     [this.tools, this.board, this.came] = [tools, board, []];
     this.step();
+  }
+
+  /** Goes on with the scan that this computer makes; null where it has not come to a stop yet. */
+  slowly(go: Go): Stood | null {
+    return this.tools.ask("slowly", { board: this.board, ...go });
   }
 
   async close(): Promise<void> {
@@ -174,6 +182,12 @@ export class Conversation {
     }
   }
 
+  /** The time has come, by the page: on a slow computer the answer may lie there unread, or the board be slower than thought. */
+  private async due(): Promise<void> {
+    await this.clock.ask?.();
+    this.step();
+  }
+
   /** What was to be waited for was reckoned at the speed of before. */
   private readonly turned = (): void => this.schedule();
 
@@ -182,6 +196,6 @@ export class Conversation {
     const factor = this.clock.factor();
     if (this.over || factor <= 0) return;
     const wait = (this.until - this.clock.now()) / factor;
-    this.timer = setTimeout(() => this.step(), Math.min(Math.max(wait, 0), 60_000));
+    this.timer = setTimeout(() => void this.due(), Math.min(Math.max(wait, 0), 60_000));
   }
 }

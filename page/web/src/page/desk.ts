@@ -1,4 +1,4 @@
-// The UNO on the desk: which board the page speaks to, and firmware for it.
+// The board on the desk: which board the page speaks to, and firmware for it.
 
 import { GatewayLine, type Shared } from "../line/gateway";
 import type { Line } from "../line/line";
@@ -18,6 +18,7 @@ const MODELS = [
   { name: "uno", title: "Arduino UNO", file: "unoclp.hex" },
   { name: "nano", title: "Arduino Nano", file: "unoclp-nano.hex" },
   { name: "nano-old", title: "Arduino Nano (old boot loader)", file: "unoclp-nano.hex" },
+  { name: "mega", title: "Arduino Mega 2560", file: "unoclp-mega.hex" },
 ] as const;
 
 export class Desk {

@@ -46,8 +46,17 @@ function programs(all: readonly Example[]): Example[][] {
 function card(tools: RemoteTools, languages: readonly Example[], choose: (example: Example) => void): HTMLElement {
   const [first] = languages;
   if (!first) return h("li");
-  const stem = stemOf(first.name);
-  return h("li", { class: "card gallery-card" }, picture(tools, { name: first.name, text: first.text }, ""), h("h3", {}, stem), h("p", { class: "note" }, told(first.about)),
-    h("div", { class: "row" }, ...languages.map((example) =>
-      h("button", { type: "button", class: "small", "data-example": example.name, "aria-label": example.name, click: () => choose(example) }, example.name.slice(stem.length)))));
+  const [title, more] = titleOf(told(first.about));
+  return h("li", { class: "card gallery-card" }, picture(tools, { name: first.name, text: first.text }, ""), h("h3", {}, title), h("p", { class: "note" }, more),
+    h("div", { class: "row" }, ...languages.map((example) => h("button", { type: "button", class: "small", "data-example": example.name, click: () => choose(example) }, example.name))));
+}
+
+/** What a program does as a title, and what there is to say besides: behind a colon. */
+function titleOf(about: string): [title: string, more: string] {
+  const [title = "", ...more] = about.split(/: /);
+  return [capital(title), capital(more.join(": "))];
+}
+
+function capital(text: string): string {
+  return text.slice(0, 1).toUpperCase() + text.slice(1);
 }

@@ -113,7 +113,9 @@ export class Exercises {
   /** Opens the exercise of this name. */
   async choose(name: string): Promise<void> {
     await this.load();
-    this.at = Math.max(0, this.all.findIndex((exercise) => exercise.name === name));
+    const at = this.all.findIndex((exercise) => exercise.name === name);
+    if (at < 0) return note(() => sayHere("exerciseUnknown", { name }));
+    this.at = at;
     this.keep();
     this.appear();
   }
@@ -175,6 +177,8 @@ export class Exercises {
     const exercise = this.all[this.at];
     this.handIn.minutes.turn(exercise?.name ?? null);
     this.closed(exercise?.sheet.normallyClosed ?? []);
+    // One whose points are another board's brings it.
+    if (exercise?.sheet.board) this.program.board.value = exercise.sheet.board;
     const machine = exercise && this.machineOf(exercise);
     this.find.begin();
     if (exercise && machine) {

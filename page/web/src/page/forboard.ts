@@ -7,6 +7,8 @@ import { say, speak, told } from "../words/words";
 import type { Looked, ProgramDocument } from "./document";
 import { h } from "./dom";
 
+const hasPointsOf = (one: BoardFacts, other: BoardFacts): boolean => one.inputs === other.inputs && one.outputs === other.outputs && one.analogue === other.analogue;
+
 export class ForBoard {
   /** The choice; there is none where all boards have the same points. */
   readonly control: HTMLElement;
@@ -20,8 +22,7 @@ export class ForBoard {
     private readonly program: ProgramDocument,
   ) {
     const all = tools.ask("board", {}).all.map((board) => tools.ask("board", { board }));
-    const [first] = all.filter(({ firmware }) => firmware);
-    this.choices = all.filter((board) => board === first || !board.firmware);
+    this.choices = all.filter((board, at) => !board.firmware || all.findIndex((other) => hasPointsOf(board, other)) === at);
     const list = h("select", { id: "for-board", "data-say-label": "forBoard" }, ...this.choices.map(({ id, name }) => h("option", { value: id }, name)));
     list.addEventListener("change", () => {
       program.board.value = list.value;

@@ -1,12 +1,12 @@
 // The page: what it is made of, and what leads to what.
 
-import { beside, isSingle, worker } from "../offline/beside";
+import { isSingle, worker } from "../offline/beside";
 import type { Both, Text } from "../tools/answers";
 import { Modules } from "../tools/modules";
 import { RemoteTools } from "../tools/remote";
 import { Tools } from "../tools/tools";
 import { say, speakIn, told, translate } from "../words/words";
-import { Bench } from "./bench";
+import { Bench, firmwareOf } from "./bench";
 import { CardTab } from "./cardtab";
 import { CardSlot } from "./cardslot";
 import { Desk } from "./desk";
@@ -36,7 +36,7 @@ import { begin, greet, isFirstVisit } from "./welcome";
 
 async function load(): Promise<void> {
   if (typeof WebAssembly === "undefined") return stuck();
-  const firmware = beside("unoclp.bin").then((answer) => answer.arrayBuffer());
+  const firmware = firmwareOf("uno");
   const modules = new Modules();
   const [checker, simulator] = [worker("tools.js"), worker("board.js")];
   const module = await modules.first();
@@ -101,7 +101,7 @@ async function load(): Promise<void> {
     for (const text of scenarios) await (await learning())?.take(text, machines);
     const handed = texts.filter(isHandIn);
     for (const text of handed) {
-      const work = (await handedIn())?.(text);
+      const work = (await handedIn())?.(text, (name) => void learning().then((them) => them?.choose(name)));
       if (work) open(work);
     }
     for (const text of texts) if (![...machines, ...scenarios, ...handed].includes(text)) open(text);
@@ -144,7 +144,9 @@ async function load(): Promise<void> {
     return them && new (await import("./gallery")).Gallery(remote, them, machine, open);
   });
   const examples = (): void => void import("./examples").then(({ showExamples }) => showExamples(remote, open));
+  const slow = later(async () => new (await import("./slow/slow")).SlowMotion(program, bench, remote, editor));
   menus(byId("menus"), {
+    slow: () => void slow().then((part) => part?.open()),
     program, bench, open, take, slot, remote, tabs, learn,
     showMachines: () => void shown().then((gallery) => gallery?.show()),
     showExamples: examples,
@@ -192,7 +194,7 @@ async function load(): Promise<void> {
   });
   speakIn(document);
   translate(document);
-  bench.simulated.start(new Uint8Array(await firmware));
+  bench.simulated.start("uno", await firmware);
   await fromLink();
   hasOwn ||= !isFirst;
   addEventListener("hashchange", () => void fromLink());

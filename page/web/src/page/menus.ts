@@ -41,6 +41,8 @@ interface Parts {
   /** Opens the program of a place, or shows all of them. */
   goTo(id: string): void;
   showPrograms(): void;
+  /** Goes through a scan in slow motion. */
+  slow(): void;
   /** Shows a card beside the board, or takes it away. */
   turnCard(card: "hardware" | "faults"): void;
   /** Reads the program of the board. */
@@ -71,7 +73,8 @@ export function menus(root: HTMLElement, parts: Parts): void {
     { id: "open-settings", say: "tabSettings", act: () => tabs.open("settings") },
     { id: "open-card-tab", say: "tabCard", act: () => tabs.open("card") },
     { id: "open-serial", say: "tabSerial", act: () => tabs.open("serial") },
-    "line", ...parts.time, "line",
+    "line", ...parts.time,
+    { id: "slow-motion", say: "slow", act: () => parts.slow() }, "line",
     { id: "show-hardware", say: "simulated", act: () => parts.turnCard("hardware") },
     { id: "show-faults", say: "faults", act: () => parts.turnCard("faults") },
   ];

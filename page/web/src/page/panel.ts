@@ -1,6 +1,6 @@
 // The board as one sees and touches it.
 
-import type { Made } from "../tools/answers";
+import type { BoardFacts, Made } from "../tools/answers";
 import { say, speak } from "../words/words";
 import type { Bench } from "./bench";
 import { Buttons, kindsIn } from "./buttons";
@@ -19,12 +19,18 @@ const CARDS = ["hardware", "faults"] as const;
 export type Card = (typeof CARDS)[number];
 const SHOWN = "cards";
 
+/** Of a board with more points than these one sees those that a program has. */
+const FEW = { inputs: 8, outputs: 4 };
+const isLarge = (board: BoardFacts): boolean => board.inputs > FEW.inputs;
+
 export class Panel {
   private readonly buttons: Buttons;
   private readonly lamps = new Lamps();
   private readonly contacts: HTMLElement;
   private readonly knobs = h("div", { class: "card knobs", hidden: true });
   private readonly readings = new Map<number, number>();
+  /** The program whose points are shown. */
+  private made: Made | null = null;
   private readonly cards: Readonly<Record<Card, HTMLElement>>;
   /** How time goes: what the bar shows of it, and what a menu has. */
   readonly time: { readonly speed: HTMLElement; readonly rows: readonly HTMLElement[]; readonly pace: HTMLElement };
@@ -48,23 +54,22 @@ export class Panel {
     layOut(docked);
     for (const card of CARDS) this.cards[card].hidden = !(kept(SHOWN) ?? "").split(" ").includes(card);
     bench.board.follow((board) => {
-      // Of the points of what is no board those are shown that the program has.
-      if (!board.firmware) return;
-      const { own, shared } = inputsOf(board);
-      this.buttons.offer([...own, ...shared], own.length);
-      this.lamps.offer(upTo(board.outputs));
+      this.allButtons.hidden = board.shared.length === 0 && !isLarge(board);
+      this.allButtons.setAttribute("aria-pressed", "false");
+      this.offer(board, false);
     });
-    bench.pins.follow((pins) => {
-      if (bench.where.value !== "simulated") return;
-      this.lamps.light((output) => pins?.outputs[output - 1] ?? 0);
-    });
+    // Where time stands, the last reading is all that is known of that instant: the ladder shows the same.
+    const light = (): void => {
+      const { where, paused, pins: { value: pins }, seen: { value: seen } } = bench;
+      if (where.value === "simulated" && !(paused.value && seen)) return this.lamps.light((output) => pins?.outputs[output - 1] ?? 0);
+      if (!seen) return;
+      const dimmed = new Map(seen.dimmed);
+      this.lamps.light((output) => (dimmed.has(output) ? (dimmed.get(output) ?? 0) / 255 : Number(seen.outputs.includes(output))));
+    };
+    for (const signal of [bench.pins, bench.seen, bench.paused]) (signal as typeof bench.paused).follow(light);
     bench.seen.follow((seen) => {
       this.buttons.forced(seen?.forcedInputs ?? []);
       this.lamps.forced(seen?.forcedOutputs ?? []);
-      if (bench.where.value !== "simulated" && seen) {
-        const dimmed = new Map(seen.dimmed);
-        this.lamps.light((output) => (dimmed.has(output) ? (dimmed.get(output) ?? 0) / 255 : Number(seen.outputs.includes(output))));
-      }
     });
     bench.power.follow((on) => {
       if (on) this.buttons.tellAll();
@@ -84,6 +89,24 @@ export class Panel {
     if (!cards[card].hidden) cards[card].scrollIntoView({ block: "nearest" });
   }
 
+  /** Has a button and a lamp for each point of a small board; of another one for those that the program has, or for all. */
+  private offer(board: BoardFacts, all: boolean): void {
+    const uses = this.made?.uses;
+    const outputs = [...new Set([...(uses?.outputs ?? []), ...(uses?.pwm ?? [])])].sort((one, other) => one - other);
+    if (!board.firmware || (isLarge(board) && !all)) {
+      const inputs = uses?.inputs.length || !board.firmware ? (uses?.inputs ?? []) : upTo(FEW.inputs);
+      this.buttons.offer(inputs, inputs.length);
+      this.lamps.offer(outputs.length > 0 || !board.firmware ? outputs : upTo(FEW.outputs));
+    } else {
+      const { own, shared } = inputsOf(board);
+      this.buttons.offer([...own, ...shared], all ? own.length + shared.length : own.length);
+      this.lamps.offer(upTo(board.outputs));
+    }
+    if (!this.made) return;
+    this.buttons.names(this.made.symbols);
+    this.lamps.names(this.made.symbols);
+  }
+
   /** Makes the buttons as the comment of a program says, if it says something. */
   kindsOf(text: string): void {
     const kinds = kindsIn(text);
@@ -92,10 +115,9 @@ export class Panel {
 
   /** What the program on the board uses: knobs for its analogue inputs, names for its points. */
   uses(made: Made): void {
-    if (!this.bench.board.value.firmware) {
-      this.buttons.offer(made.uses.inputs, made.uses.inputs.length);
-      this.lamps.offer([...new Set([...made.uses.outputs, ...made.uses.pwm])].sort((one, other) => one - other));
-    }
+    this.made = made;
+    const { board } = this.bench;
+    if (!board.value.firmware || isLarge(board.value)) this.offer(board.value, this.allButtons.getAttribute("aria-pressed") === "true");
     this.buttons.names(made.symbols);
     this.lamps.names(made.symbols);
     this.buttons.showTo(made.uses.inputs);
@@ -157,11 +179,7 @@ export class Panel {
     more.addEventListener("click", () => {
       const all = more.getAttribute("aria-pressed") !== "true";
       more.setAttribute("aria-pressed", String(all));
-      const { own, shared } = inputsOf(this.bench.board.value);
-      this.buttons.show(all ? own.length + shared.length : own.length);
-    });
-    this.bench.board.follow((board) => {
-      more.hidden = board.shared.length === 0;
+      this.offer(this.bench.board.value, all);
     });
     return h("div", { class: "card contacts", "data-say-title": "buttonsHint" }, h("h3", {}, h("span", { "data-say": "buttons" }), h("span", {}, this.buttons.latching, this.buttons.choosing)), this.buttons.root);
   }

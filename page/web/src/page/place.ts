@@ -5,7 +5,7 @@
 import { keep, kept } from "./kept";
 
 /** What a place holds, each under a key of its own. */
-const KINDS = ["program", "drawing", "eeprom", "ways", "contacts", "board", "versions"] as const;
+const KINDS = ["program", "drawing", "eeprom", "eeprom-mega", "ways", "contacts", "board", "versions"] as const;
 type Kind = (typeof KINDS)[number];
 
 /** Places that are kept; of more, those go first that hold what another holds too. */

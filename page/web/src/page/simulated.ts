@@ -1,9 +1,13 @@
 // The simulated board: its worker, what it keeps in the browser, and its clock.
 
-import type { Command, Event } from "unoclp-uno";
+import type { BoardId, Command, Event } from "unoclp-uno";
+import type { ForSlow } from "../board/messages";
 import { type BoardWorker, SimulatedLine } from "../line/simulated";
 import type { Clock } from "./conversation";
 import { keepHere, keptHere } from "./place";
+
+/** Where a browser keeps what its EEPROM holds. */
+const EEPROM = { uno: "eeprom", mega: "eeprom-mega" } as const;
 
 export class SimulatedBoard implements Clock {
   readonly line: SimulatedLine;
@@ -15,6 +19,10 @@ export class SimulatedBoard implements Clock {
   private pace = 1;
   private latest = 0;
   hasPower = false;
+  /** Which board it is. */
+  id: BoardId = "uno";
+  /** Who has asked for the time. */
+  private readonly asking: (() => void)[] = [];
 
   constructor(
     private readonly worker: BoardWorker,
@@ -39,6 +47,12 @@ export class SimulatedBoard implements Clock {
     this.worker.postMessage(command);
   }
 
+  /** Has its worker hold it in the middle of scans, or no longer. */
+  slowly(message: ForSlow): void {
+    // Only the page's own worker knows of it.
+    (this.worker as unknown as { postMessage(message: ForSlow): void }).postMessage(message);
+  }
+
   /** Tells who waits by this clock, where it goes at another speed after this. */
   private turning(act: () => void): void {
     const before = this.factor();
@@ -46,10 +60,11 @@ export class SimulatedBoard implements Clock {
     if (this.factor() !== before) for (const hear of [...this.turned]) hear();
   }
 
-  /** Gives it firmware, what its EEPROM was, and power. */
-  start(bytes: Uint8Array): void {
-    this.tell({ kind: "firmware", bytes });
-    const eeprom = bytesOf(keptHere("eeprom"));
+  /** It is this board from now on, with its firmware, what its EEPROM was, and power. */
+  start(id: BoardId, bytes: Uint8Array): void {
+    this.id = id;
+    this.tell({ kind: "firmware", board: id, bytes });
+    const eeprom = bytesOf(keptHere(EEPROM[id]));
     if (eeprom) this.tell({ kind: "eeprom", bytes: eeprom });
     this.tell({ kind: "plug", on: true });
     this.tell({ kind: "run" });
@@ -63,6 +78,13 @@ export class SimulatedBoard implements Clock {
 
   factor(): number {
     return this.runs && this.hasPower ? this.pace : 0;
+  }
+
+  ask(): Promise<void> {
+    return new Promise((told) => {
+      this.asking.push(told);
+      this.worker.postMessage({ kind: "time" });
+    });
   }
 
   private settle(at: number, runs = this.runs): void {
@@ -80,8 +102,9 @@ export class SimulatedBoard implements Clock {
     if (event.kind === "pace") this.pace = event.factor > 0 ? event.factor : this.pace;
     if (event.kind === "paused") this.settle(event.at, false);
     else if ("at" in event) this.settle(event.at);
+    if (event.kind === "time") this.asking.shift()?.();
     // A browser that keeps nothing begins with an empty EEPROM.
-    if (event.kind === "eeprom") keepHere("eeprom", btoa(String.fromCharCode(...event.bytes)));
+    if (event.kind === "eeprom") keepHere(EEPROM[this.id], btoa(String.fromCharCode(...event.bytes)));
   }
 }
 

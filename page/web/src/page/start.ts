@@ -34,7 +34,7 @@ export function startControl(bench: Bench, program: ProgramDocument, forBoard: F
   const atHand = async (): Promise<boolean> => {
     const { chosen } = forBoard;
     if (chosen.firmware) {
-      if (bench.where.value === "core") await bench.useSimulated();
+      if (bench.where.value !== "desk") await bench.simulate(chosen);
       return true;
     }
     const unsent = program.whole?.made.unsent;

@@ -47,6 +47,8 @@ export class Trend {
   private drawn: string[] = [];
   /** The channels that the chart was made with. */
   private made: readonly string[] = [];
+  /** The times that it shows, ms. */
+  private times: readonly number[] = [];
   private span = 10;
   private follows = true;
   private asked = false;
@@ -159,7 +161,7 @@ export class Trend {
     const follow = h("button", { type: "button", class: "small", id: "follow", "aria-pressed": String(this.follows), click: () => this.follow(!this.follows) }, say("trendFollow"));
     const small = (key: "trendSvg" | "trendCsv" | "trendClear", click: () => void): HTMLElement => h("button", { type: "button", class: "small", click }, say(key));
     const hand = (key: "zoomOut" | "zoomIn" | "trendBefore" | "trendAfter", sign: string, click: () => void): HTMLElement =>
-      h("button", { type: "button", class: "small", id: key, title: say(key), "aria-label": `${say("tabTrend")}: ${say(key)}`, click }, sign);
+      h("button", { type: "button", class: "small", id: key, title: say(key), "aria-label": `${say("tabTrend")}: ${say(key)}`, click: () => void this.drawnFirst(click) }, sign);
     const boxes = this.points.map((point) => {
       const box = h("input", { type: "checkbox", checked: !this.hidden.has(point.name) });
       box.addEventListener("change", () => {
@@ -211,7 +213,13 @@ export class Trend {
   /** Where the cursor is, ms; null: nowhere. */
   private get cursor(): number | null {
     const at = this.chart?.cursor.idx;
-    return at === null || at === undefined ? null : (this.chart?.data[0][at] ?? 0) * 1000;
+    return at === null || at === undefined ? null : (this.times[at] ?? null);
+  }
+
+  /** Acts on the diagram that is chosen: one that is not drawn yet, or is another, is drawn before. */
+  private async drawnFirst(act: () => void): Promise<void> {
+    if (!this.chart || this.drawn.join() !== this.names.join()) await this.draw();
+    act();
   }
 
   /** Shows so many times as much, about the cursor. */
@@ -240,15 +248,21 @@ export class Trend {
   private show(from: number, to: number): void {
     if (to - from < LEAST) return;
     this.follow(false);
-    this.chart?.setScale("x", { min: from / 1000, max: to / 1000 });
+    this.lay(this.made, from, to);
+  }
+
+  /** Lays data and window under the cursor, both at once: a place in the diagram is a time only by its window. */
+  private lay(names: readonly string[], from: number, to: number): void {
+    const { chart, follows, recorder } = this;
+    chart?.batch(() => {
+      chart.setData(this.data(names, follows ? from : 0, follows ? to : recorder.now), false);
+      chart.setScale("x", { min: from / 1000, max: to / 1000 });
+    });
   }
 
   private point(at: number | null): void {
     const { chart } = this;
-    if (!chart || at === null) return;
-    // It points at what is drawn, which may be a frame old.
-    chart.setData(this.data(this.made, 0, this.recorder.now), false);
-    chart.setCursor({ left: chart.valToPos(at / 1000, "x"), top: 1 });
+    if (chart && at !== null) chart.setCursor({ left: chart.valToPos(at / 1000, "x"), top: 1 });
   }
 
   private redraw(): void {
@@ -274,14 +288,14 @@ export class Trend {
       this.drawn = names;
       this.made = names;
     }
-    this.chart.setData(this.data(names, this.follows ? from : 0, this.follows ? to : this.recorder.now), false);
-    this.chart.setScale("x", { min: from / 1000, max: to / 1000 });
+    this.lay(names, from, to);
     if (isNew) this.point(cursor);
   }
 
   /** What is drawn: times in s, and a lane for each channel. */
   private data(names: readonly string[], from: number, to: number): uPlot.AlignedData {
     const { times, values } = this.recorder.table(names, from, to);
+    this.times = times;
     return [times.map((time) => time / 1000), ...values.map((one, lane) => this.lane(one, names.length - 1 - lane))];
   }
 

@@ -43,9 +43,9 @@ export class Watch {
     const head = ["watchPoint", "watchName", "watchValue", "watchPreset", "watchForce"] as const;
     const release = h("button", { type: "button", class: "small", id: "release", click: () => void this.bench.ask({ do: "release" }) }, say("letAllGo"));
     const table = h("table", {},
-      h("thead", {}, h("tr", {}, ...head.map((key) => h("th", { scope: "col" }, say(key))))),
+      h("thead", {}, h("tr", {}, ...head.map((key) => h("th", { scope: "col" }, say(key), key === "watchForce" && release)))),
       h("tbody", {}, ...this.rows.map((row) => row.root)));
-    this.panel.replaceChildren(...(this.points.length > 0 ? [table, h("p", { class: "row" }, release)] : [h("p", { class: "empty" }, say("watchEmpty"))]));
+    this.panel.replaceChildren(...(this.points.length > 0 ? [table] : [h("p", { class: "empty" }, say("watchEmpty"))]));
     this.show(this.bench.seen.value);
   }
 

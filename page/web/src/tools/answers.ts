@@ -358,8 +358,8 @@ export interface Named {
 
 /** What a page is told. */
 export type News =
-  /** A board has answered. */
-  | { readonly news: "found"; readonly identity: string }
+  /** A board has answered; and which it is, as a request names it, where that is known. */
+  | { readonly news: "found"; readonly identity: string; readonly board: string | null }
   /** There is no board, or no longer one. It is sought on. */
   | { readonly news: "lost"; readonly why: Both }
   /** All that there is to show. */
@@ -562,6 +562,8 @@ export interface Sheet {
   readonly given: GivenProgram | null;
   /** The name of its machine's file, where it has one. */
   readonly plant: string | null;
+  /** The board that it is for, where it names one. */
+  readonly board: string | null;
   readonly title: Both;
   readonly task: Both | null;
   readonly hints: readonly Both[];
@@ -611,6 +613,24 @@ export interface Step {
   /** The next step comes at this time, in whole ms, or as soon as bytes have come or something is ordered. */
   readonly until: number;
   readonly news: readonly News[];
+}
+
+/** How the core stands in the middle of a scan. */
+export interface Stood {
+  /** The instruction that comes next, from 0; none at the end of a scan. */
+  readonly step: number | null;
+  /** Those from it to before this one are run at once. */
+  readonly until: number;
+  readonly acc: boolean;
+  readonly value: number;
+  /** What is pushed, the last first. */
+  readonly pushed: readonly number[];
+  /** Bit n: input n + 1, as the scan has it, and as it is at its contact; likewise the outputs. */
+  readonly inputs: number;
+  readonly closed: number;
+  readonly outputs: number;
+  readonly driven: number;
+  readonly live: Live | null;
 }
 
 /** How a board keeps a program. */

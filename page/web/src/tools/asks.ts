@@ -1,7 +1,7 @@
 // What may be asked of Rust, and what it answers. Made of page/bridge/src/ask/table.rs: do not edit it; the test of
 // page/bridge/src/ask/contract.rs writes it where UPDATE=1 is set.
 
-import type { Adapted, BoardFacts, CardImage, Change, Charted, Checked, Drawn, Fared, LadderDrawn, MachineFacts, MachineLook, Meant, Mended, Offers, Order, Outcome, Project, Replayed, Searched, Settings, Sheet, Shelf, Step, Text, UnitShown, UsedAt } from "./answers";
+import type { Adapted, BoardFacts, CardImage, Change, Charted, Checked, Drawn, Fared, LadderDrawn, Live, MachineFacts, MachineLook, Meant, Mended, Offers, Order, Outcome, Project, Replayed, Searched, Settings, Sheet, Shelf, Step, Stood, Text, UnitShown, UsedAt } from "./answers";
 
 export type Place = "before" | "behind" | "beside";
 
@@ -169,6 +169,10 @@ export interface Asks {
   remedies: { ask: { readonly version: number; readonly from: number; readonly to: number; readonly speak?: Speak | undefined }; answer: readonly Mended[] };
   /** Its charts, in the look of IEC 61131-3 or of GRAFCET; `what` is done `at` a part of one of them, and gives another text. */
   chart: { ask: { readonly version: number; readonly look?: string | undefined; readonly chart: number; readonly what?: string | undefined; readonly at?: string | undefined; readonly say?: string | undefined; readonly qualifier?: string | undefined; readonly time?: string | undefined }; answer: Charted };
+  /** What there is to show of it while a board stands in the middle of a scan, which has left this so far. */
+  slow: { ask: { readonly version: number; readonly left: readonly (readonly [from: number, to: number, acc: boolean, value: number | null, images: number | null])[] }; answer: Live };
+  /** The scan that this computer makes goes on, to where one of these instructions comes next, or any; `through` the ends of scans, or else to the end of this one. Null where it has not come there yet. */
+  slowly: { ask: { readonly board: number; readonly to: readonly number[] | null; readonly through: boolean }; answer: Stood | null };
   /** The units of a project, and their variables. */
   project: { ask: { readonly version: number }; answer: Project };
   /** The body of a unit of a project; null where it has none. */

@@ -60,7 +60,7 @@ export const DRAW = {
   split: ["Split the rung after this", "Dividir o degrau depois disto"],
   join: ["Join the rung below", "Unir ao degrau de baixo"],
   moveKeys: ["Move", "Mover"],
-  extendKeys: ["Select a run", "Selecionar vários"],
+  extendKeys: ["Select several", "Selecionar vários"],
   whereKeys: ["After, parallel, before", "Depois, paralelo, antes"],
   unfinished: ["Not a program yet: {n} still to complete. The text is that of the last program.", "Ainda não é um programa: falta completar {n}. O texto é o do último programa."],
   finished: ["The drawing is a program.", "O desenho é um programa."],

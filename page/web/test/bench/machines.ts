@@ -44,7 +44,7 @@ async function cost(module: WebAssembly.Module, name: string): Promise<{ lost: n
   const made = tools.ask("check", { of: { name: `${name}.st`, text: file(`${name}.st`) } }).program;
   if (!made) throw new Error(name);
   const session = new Session(() => {}, () => 0);
-  session.obey({ kind: "firmware", bytes: new Uint8Array(readFileSync(new URL("unoclp.bin", page))) });
+  session.obey({ kind: "firmware", board: "uno", bytes: new Uint8Array(readFileSync(new URL("unoclp.bin", page))) });
   session.obey({ kind: "card", image: card(tools, made.code) });
   session.obey({ kind: "plug", on: true });
   const pass = (millis: number): void => {

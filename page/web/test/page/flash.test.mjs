@@ -84,12 +84,12 @@ test("a board out of its box gets the firmware, runs a program live, and comes b
 
 test("what goes wrong on the way is told with what to do, and the next try works", async () => {
   const { page, cable, end } = await boxed("optiboot", true);
-  // From the byte on that stands first; of those to the board, counted from the first page that is written: a busy computer
-  // asks more often before.
+  // From the byte on that stands first, counted from the first page that is written: a busy computer asks more often before.
+  // To the page four pages are answered by four bytes each; then they are read back.
   /** @type {[number, "to the board" | "to the page", (byte: number) => number | null, RegExp, RegExp][]} */
   const troubles = [
     [200, "to the board", () => null, /FW-24: .*check the cable and try again.*no firmware now/, /FW-24: .*tente de novo.*sem firmware/],
-    [60, "to the page", (byte) => byte ^ 0x10, /FW-25: .*then try again/, /FW-25: .*tente de novo/],
+    [40, "to the page", (byte) => byte ^ 0x10, /FW-25: .*then try again/, /FW-25: .*tente de novo/],
     [200, "to the board", () => (void cable.pull(), null), /FW-27: .*plug the board in again/, /FW-27: .*ligue a placa de novo/],
   ];
   for (const [from, where, what, english, portuguese] of troubles) {
@@ -99,7 +99,7 @@ test("what goes wrong on the way is told with what to do, and the next try works
     ])) {
       await select(page, "#speak", speak);
       let left = from;
-      let writes = where === "to the page";
+      let writes = false;
       cable.fate = (way, byte) => {
         writes ||= way === "to the board" && byte === WRITE_PAGE;
         return writes && way === where && left-- <= 0 ? what(byte) : byte;

@@ -120,6 +120,64 @@ const BAD = [
   ["exercise.unoclp.json", "[[case]]\ntitle = 'x'\n[[part]]\n"],
 ];
 
+/** What a student has handed in, and perhaps edited. @param {object} more */
+const handedIn = (more) => Buffer.from(JSON.stringify({
+  form: "unoclp-hand-in-1", student: { name: "Eva", number: "" }, exercise: { name: "05-motor" },
+  program: { name: "motor.il", text: "LD I3\nST Q4\n" }, drawing: null, verdicts: { passed: true }, minutes: 1, ...more,
+}));
+
+for (const [locale, said, offer, unknown] of /** @type {const} */ ([
+  ["en-US", "for the exercise 05-motor", "Open the exercise", "The exercise 99-none is not here"],
+  ["pt-BR", "para o exercício 05-motor", "Abrir o exercício", "O exercício 99-none não está aqui"],
+])) {
+  test(`a hand-in of another exercise than the one that is open says which, and loses nothing, ${locale}`, async () => {
+    const page = await lab.still({ locale });
+    await type(page, "LD I1\nST Q1 (* mine *)\n", "mine.il");
+    await pick(page, "#exercises");
+    const title = page.locator("#exercise h3");
+    const open = (await title.textContent()) ?? "";
+    const far = await page.textContent("#exercise-progress");
+    await choose(page, "eva.unoclp.json", handedIn({}));
+    const note = page.locator("#notes > div", { hasText: said });
+    await note.waitFor();
+    assert.match(await keptText(page), /ST Q4/);
+    assert.deepEqual([await title.textContent(), await page.textContent("#exercise-progress")], [open, far]);
+    await note.getByRole("button", { name: offer }).click();
+    await title.filter({ hasNotText: open }).waitFor();
+    assert.equal(await page.locator("#exercise-list").inputValue(), "4");
+    assert.match(await keptText(page), /ST Q4/);
+    // One that the page does not have.
+    await choose(page, "eva.unoclp.json", handedIn({ exercise: { name: "99-none" } }));
+    await page.locator("#notes > div", { hasText: "99-none" }).getByRole("button", { name: offer }).click();
+    await page.locator("#notes", { hasText: unknown }).waitFor();
+    assert.equal(await page.locator("#exercise-list").inputValue(), "4");
+    await page.locator("#notes").getByRole("button", { name: /Undo|Desfazer/ }).first().click();
+    assert.match((await page.textContent(".cm-content")) ?? "", /mine/);
+    await page.context().close();
+  });
+}
+
+/** Drawings that nobody has drawn: what was handed in was edited by hand. @type {readonly unknown[]} */
+const EDITED = [
+  { name: "motor.il", base: { name: "motor.il", text: "LD I1\nST Q1\n" }, text: "LD I3\nST Q4\n", log: [{ do: "explode" }] },
+  { name: "motor.il", base: { name: "motor.il", text: "no program" }, text: "LD I3\nST Q4\n", log: [null, 7, "x"], lacks: 3 },
+  { name: "motor.il", base: { name: "motor.il", text: "LD I1\nST Q1\n" }, text: "another text", log: [{ do: "undo" }], lacks: -1 },
+  { name: "motor.il", base: { name: "motor.il", text: "LD I1\nST Q1\n" }, text: "LD I3\nST Q4\n", log: [] },
+];
+
+test("a hand-in whose drawing was edited by hand is drawn from its program", async () => {
+  const page = await lab.other({}, { view: "draw" });
+  for (const drawing of EDITED) {
+    await choose(page, "edited.unoclp.json", handedIn({ drawing }));
+    await page.locator('#sheet .element[data-point="Q4"]').waitFor();
+    await page.locator("#problem-count.good").waitFor();
+    assert.equal(await keptText(page), "LD I3\nST Q4\n");
+    await pick(page, "#new-file");
+    await page.locator('#sheet .element[data-point="Q4"]').waitFor({ state: "detached" });
+  }
+  await page.context().close();
+});
+
 for (const [index, locale] of ["en-US", "pt-BR"].entries()) {
   test(`what is no hand-in is told, and nothing is lost, ${locale}`, async () => {
     const page = await lab.still({ locale });

@@ -107,7 +107,7 @@ test("a store that is full loses nothing that is typed, and says what to do", as
     }
   });
   await type(page, `(* ${"long ".repeat(200)} *)\nLD I1\nST Q3\n`, "mine.il");
-  const note = page.locator("#notes", { hasText: "store is full" });
+  const note = page.locator("#notes", { hasText: "storage is full" });
   await note.waitFor();
   assert.match((await page.textContent(".cm-content")) ?? "", /ST Q3/);
   // There is room again: it is kept again.

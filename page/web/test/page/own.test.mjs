@@ -199,6 +199,34 @@ for (const [index, locale] of ["en-US", "pt-BR"].entries()) {
   });
 }
 
+/** Files that are called as exercises are, and are none. @type {readonly (readonly [name: string, text: string])[]} */
+const NONE = [
+  ["empty.toml", ""],
+  ["cut.toml", "title = ["],
+  ["program.toml", "LD I1\nST Q1\n"],
+  ["nothing.toml", "title = 'x'\n"],
+  ["steps.txt", "[[case]]\nstep = 7\n"],
+  ["bytes.toml", "[[case]]\0\0"],
+];
+
+for (const [locale, said] of /** @type {const} */ ([["en-US", "Your program is still here"], ["pt-BR", "programa continua aqui"]])) {
+  test(`a file that is no exercise, dropped while a program and an exercise are open, is told and changes nothing, ${locale}`, async () => {
+    const page = await lab.still({ locale });
+    await pick(page, "#exercises");
+    await type(page, "LD I3\nST Q3 (* mine *)\n", "mine.il");
+    const shown = () => page.evaluate(() => [document.querySelector("#exercise h3")?.textContent, document.querySelectorAll("#exercise-list option").length, document.querySelector("#exercise-progress")?.textContent]);
+    const before = await shown();
+    for (const one of NONE) {
+      await page.evaluate(() => document.getElementById("notes")?.replaceChildren());
+      await drop(page, [one]);
+      await page.locator("#notes", { hasText: said }).waitFor();
+      assert.deepEqual(await shown(), before, one[0]);
+      assert.match(await keptText(page), /mine/, one[0]);
+    }
+    await page.context().close();
+  });
+}
+
 test("a teacher's own machine of the menu is solved as any", async () => {
   const page = await lab.still();
   await choose(page, "motor-mine.toml", Buffer.from(file("plants/motor.toml")));

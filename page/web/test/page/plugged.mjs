@@ -40,7 +40,7 @@ function plugIn(eeprom) {
         if (data.kind === "serial") this.out?.enqueue(data.bytes);
       });
       void fetch("unoclp.bin").then(async (answer) => {
-        this.worker.postMessage({ kind: "firmware", bytes: new Uint8Array(await answer.arrayBuffer()) });
+        this.worker.postMessage({ kind: "firmware", board: "uno", bytes: new Uint8Array(await answer.arrayBuffer()) });
         if (eeprom) this.worker.postMessage({ kind: "eeprom", bytes: Uint8Array.from(atob(eeprom), (one) => one.charCodeAt(0)) });
         this.worker.postMessage({ kind: "plug", on: true });
         this.worker.postMessage({ kind: "run" });

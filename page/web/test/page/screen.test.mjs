@@ -117,7 +117,7 @@ const HEARD = [
   [(page) => page.click('tr[data-point="Q1"] button'), /forced: Q1/, /forçado: Q1/],
   [(page) => page.click("#release"), /nothing is forced/, /nada está forçado/],
   [(page) => pick(page, "#pause"), /Time stands still/, /O tempo está parado/],
-  [(page) => pick(page, "#pause"), /Time goes on/, /O tempo anda/],
+  [(page) => pick(page, "#pause"), /Time goes on/, /O tempo corre/],
   [(page) => page.click("#command-stop"), /STOP: the board does not scan/, /STOP: a placa não faz varreduras/],
   [(page) => page.click("#plug"), /No power/, /Sem energia/],
   [(page) => page.click("#plug"), /RUN: the board scans/, /RUN: a placa executa/],

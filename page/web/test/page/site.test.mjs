@@ -137,7 +137,7 @@ test("a panel shows what points are, and sets what it may", async () => {
   const set = item("set").locator("input");
   await set.fill("41");
   await set.press("Enter");
-  await page.getByText("Give a number from 5 to 40.").first().waitFor();
+  await page.getByText("Enter a number from 5 to 40.").first().waitFor();
   await set.fill("30,5");
   await set.press("Enter");
   await item("set").getByText("30.5 °C").waitFor();
@@ -166,7 +166,7 @@ test("a panel shows what points are, and sets what it may", async () => {
 test("a panel is edited and saved as a file", async () => {
   const of = gateway();
   const page = await open(of, "#panels/forno");
-  await page.getByText("made of the board's names").waitFor();
+  await page.getByText("made from the board's names").waitFor();
   await page.click("#panel-edit");
   await page.selectOption("#edit-point", { label: "estufa.target" });
   await page.click("#edit-add");
@@ -215,7 +215,7 @@ test("a token is asked for once, and told when it is wrong", async () => {
   await page.goto(`${lab.server.url}site.html`);
   await page.fill("#token", "ana.wrong");
   await page.keyboard.press("Enter");
-  await page.getByText("Este token não vale.").waitFor();
+  await page.getByText("Este token não é válido.").waitFor();
   await clean(page, "sign in");
   await page.fill("#token", "ana.secret");
   await page.keyboard.press("Enter");

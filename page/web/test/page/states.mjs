@@ -1,7 +1,7 @@
 // Twenty states of the page that are looked at: each has its size and the way to it.
 // @ts-check
 
-import { choose, lamp, pick, run, state, tab, type } from "./harness.mjs";
+import { choose, pick, run, state, tab, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {object} State
@@ -60,7 +60,7 @@ export const STATES = [
     await page.keyboard.press("Escape");
     await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement)?.blur());
     await page.keyboard.press("Shift+1");
-    await lamp(page, 1, true);
+    await page.locator('.ladder .element.on[data-point="Q1"]').first().waitFor();
   }, { kept: { ...ALONE, view: "both" } }),
   at("both-dark", ran, { kept: { ...ALONE, view: "both", theme: "dark", drawer: "trend" } }),
   at("text-values", async (page) => {

@@ -5,7 +5,8 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { Lab, lamp, run, tab, type } from "./harness.mjs";
+import { holding } from "./hands.mjs";
+import { Lab, lamp, pick, run, tab, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @type {Lab} */
@@ -74,4 +75,34 @@ test("a forced input is what it is forced to, and is marked, in the diagram and 
     assert.ok(!(await saved(page, "SVG")).includes(mark));
     await page.context().close();
   }
+});
+
+test("a press before the diagram is drawn anew goes to a change, and one comes back to it", async () => {
+  const page = await lab.open();
+  await type(page, MANY, "many.il");
+  await run(page);
+  for (const _ of [1, 2]) await holding(page, 1, () => lamp(page, 1, true));
+  await lamp(page, 1, false);
+  await tab(page, "trend");
+  await page.locator(".trend canvas").waitFor();
+  await pick(page, "#pause");
+  await page.locator("#pace", { hasText: "Time stands still" }).waitFor();
+  const reading = page.locator("#trend-reading");
+  // The picture is still that of ten seconds.
+  await page.evaluate(() => {
+    const span = /** @type {HTMLSelectElement} */ (document.querySelector('[aria-label="Seconds shown"]'));
+    span.value = "120";
+    span.dispatchEvent(new Event("change"));
+    /** @type {HTMLElement} */ (document.querySelector("#trendBefore")).click();
+  });
+  await reading.filter({ hasText: /^[\d.]+ s, go = 0, .*motor = 0/ }).waitFor();
+  const last = (await reading.textContent()) ?? "";
+  await page.click("#trendBefore");
+  await reading.filter({ hasNotText: last }).waitFor();
+  await page.click("#trendAfter");
+  await reading.filter({ hasText: last }).waitFor();
+  // Behind the last change there is none.
+  await page.click("#trendAfter");
+  assert.equal(await reading.textContent(), last);
+  await page.context().close();
 });

@@ -109,6 +109,29 @@ END_PROGRAM
   await page.context().close();
 });
 
+test("where time stands, the lamps and the ladder show one instant", async () => {
+  const page = await lab.open();
+  await type(page, "LD I1\nST Q1\n", "lamp.il");
+  await run(page);
+  await page.locator('.ladder.live .element[data-point="Q1"]').waitFor();
+  const both = () => page.evaluate(() => [
+    document.querySelector('[data-output="1"]')?.getAttribute("data-on") === "true",
+    document.querySelector('.ladder .element[data-point="Q1"]')?.classList.contains("on"),
+  ]);
+  // So slow, a lamp turns seconds before the reading that tells of it.
+  await page.selectOption("#speed", "0.01");
+  await holding(page, 1, async () => {
+    await lamp(page, 1, true);
+    await page.selectOption("#speed", "0");
+    const [lit, drawn] = await both();
+    assert.equal(lit, drawn);
+    await page.selectOption("#speed", "1");
+    await page.locator('.ladder .element.on[data-point="Q1"]').waitFor();
+    assert.deepEqual(await both(), [true, true]);
+  });
+  await page.context().close();
+});
+
 test("in the timing diagram no effect comes before its cause, and a forced input is what it is forced to", async () => {
   const page = await lab.open();
   await type(page, "LD I1\nST M1\nLD M1\nST Q1\nLD I2\nTON T1, 300\nST Q2\n", "chain.il");
@@ -257,7 +280,7 @@ test("a teacher's file of an exercise is opened as one, another check is named; 
   await choose(page, "teacher.toml", Buffer.from(toml));
   await page.locator("#exercise #exercise-check").waitFor();
   await page.locator("#notes", { hasText: "This file is an exercise" }).waitFor();
-  assert.equal(await page.locator("#exercise-list option").count(), 49);
+  assert.equal(await page.locator("#exercise-list option").count(), 51);
   await choose(page, "broken.toml", Buffer.from("until = [\n"));
   await page.locator("#notes", { hasText: /not a program, and it cannot be opened as an exercise/ }).waitFor();
   assert.match((await page.textContent(".cm-content")) ?? "", /mine/);

@@ -7,12 +7,13 @@ import { test } from "node:test";
 import { CHART } from "../../src/words/charttable";
 import { DRAW } from "../../src/words/drawtable";
 import { LEARN } from "../../src/words/learntable";
+import { SLOW } from "../../src/words/slowtable";
 import { PROJECT } from "../../src/words/projecttable";
 import { TABLE } from "../../src/words/table";
 
 // npm runs the tests in the folder of the page, xtask above it.
 const docs = existsSync("src/page") ? "../../docs" : "docs";
-const rows = Object.values({ ...TABLE, ...CHART, ...PROJECT, ...DRAW, ...LEARN });
+const rows = Object.values({ ...TABLE, ...CHART, ...PROJECT, ...DRAW, ...LEARN, ...SLOW });
 /** What stands emphasised without being a control. */
 const PROSE = ["The port does not open", "A porta não abre"];
 

@@ -1,6 +1,6 @@
-//! Random charts, as text and as what the norm says of them.
+//! Random charts, as text and as what the standard says of them.
 //!
-//! `sketch` makes one, `text` writes it in Structured Text, `naive` runs it: written from the norm alone, step by step,
+//! `sketch` makes one, `text` writes it in Structured Text, `naive` runs it: written from the standard alone, step by step,
 //! without a thought for what it costs.
 
 mod naive;

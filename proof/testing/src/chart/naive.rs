@@ -1,4 +1,4 @@
-//! A chart as the norm describes it (IEC 61131-3, 2.6): what each rule says, in the order of the rules.
+//! A chart as the standard describes it (IEC 61131-3, 2.6): what each rule says, in the order of the rules.
 
 use super::text::is_timed;
 use super::{Body, Chart, Condition};

@@ -1,4 +1,4 @@
-//! A machine that the firmware controls, as a moving picture: README's is made so.
+//! A machine that the firmware controls, as an animation: README's is made so.
 //!
 //! `cargo run --release -p unoclp-uno-sim --example film -- programs/plants/filling.st programs/plants/filling.toml docs/machine.gif 12`
 //! runs the program on the simulated UNO, a scan and a step of the machine each millisecond, for so many seconds. The file

@@ -1,4 +1,4 @@
-//! What a moving picture shows: a machine that the firmware controls.
+//! What an animation shows: a machine that the firmware controls.
 
 use anyhow::{Result, anyhow};
 use std::fs;

@@ -8,7 +8,7 @@ use std::ptr::NonNull;
 
 /// `rjmp .-4`: the second instruction of a loop goes back to the first.
 const BACK: u16 = 0xCFFE;
-/// `rjmp .-2`: for ever here.
+/// `rjmp .-2`: forever here.
 const STAND: u16 = 0xCFFF;
 
 /// How far the chip is let run: no further than here or there.

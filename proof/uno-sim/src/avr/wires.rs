@@ -54,11 +54,14 @@ impl Avr {
         Ok(())
     }
 
-    /// Sets the flags of USART0: none, so that it neither prints nor makes the process sleep.
+    /// Sets the flags of USART0, and of USART1: none, so that it neither prints nor makes the process sleep.
     pub fn quiet_uart(&mut self) {
         let mut flags = 0u32;
-        // SAFETY: this request takes a `uint32_t` and copies from it.
-        unsafe { self.ioctl(*b"uas0", (&raw mut flags).cast()) };
+        // SAFETY: this request takes a `uint32_t` and copies from it. A chip without the port refuses it.
+        unsafe {
+            self.ioctl(*b"uas0", (&raw mut flags).cast());
+            self.ioctl(*b"uas1", (&raw mut flags).cast());
+        }
     }
 
     /// # Safety

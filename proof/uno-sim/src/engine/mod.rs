@@ -94,6 +94,11 @@ impl<S: Simulated> FirmwareEngine<S> {
         self.program.chip().board()
     }
 
+    /// The board, from the first start on.
+    pub fn uno(&mut self) -> Option<&mut S> {
+        self.uno.as_mut()
+    }
+
     /// Follows the start-up of a board that has just got its power.
     fn follow_start(&mut self) -> Result<Result<(), Refusal>, EngineError> {
         self.next = None;
@@ -197,11 +202,6 @@ impl UnoEngine {
     pub fn start(&mut self, slot: Slot) -> Result<Result<(), Refusal>, EngineError> {
         self.uno = Some(Uno::with_program(self.program.clone(), slot)?);
         self.follow_start()
-    }
-
-    /// The board, from the first start on.
-    pub fn uno(&mut self) -> Option<&mut Uno> {
-        self.uno.as_mut()
     }
 }
 

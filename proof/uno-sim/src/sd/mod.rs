@@ -129,7 +129,7 @@ enum Presence {
     /// Gone as soon as `out` is empty.
     Leaving,
     Removed,
-    /// There, but dead: line low for ever.
+    /// There, but dead: line low forever.
     Stuck,
 }
 

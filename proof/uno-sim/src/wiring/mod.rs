@@ -14,6 +14,7 @@ use crate::eeprom::Eeprom;
 use crate::inputs::Inputs;
 use crate::uart::{Flaw, Uart};
 use crate::{Error, Slot};
+use serial::{FIRST, Port, SECOND};
 use simavr_ffi as ffi;
 use std::ffi::c_void;
 use std::ops::{Deref, DerefMut};
@@ -23,7 +24,6 @@ use std::ptr::NonNull;
 pub(crate) struct Wiring {
     avr: NonNull<ffi::avr_t>,
     to_spi: Irq,
-    serial: serial::Interrupts,
     conversion: Interrupt,
     chip: Chip,
     /// Cycles up to the last reset.
@@ -35,7 +35,9 @@ pub(crate) struct Wiring {
     pub power_cut: bool,
     /// What is in the card slot.
     pub slot: Slot,
-    pub uart: Uart,
+    /// USART0, and USART1 where the chip has one.
+    usb: Port,
+    bus: Option<Port>,
     pub adc: Adc,
     pub inputs: Inputs,
     /// The invalid opcode that stopped the program.
@@ -58,7 +60,6 @@ impl Wired {
         let wiring = Box::new(Wiring {
             avr: avr.as_ptr(),
             to_spi: avr.irq(spi, ffi::SPI_IRQ_INPUT)?,
-            serial: serial::Interrupts::of(avr)?,
             conversion: avr.interrupt(chip.conversion_interrupt())?,
             chip,
             cycles_before: 0,
@@ -66,7 +67,11 @@ impl Wired {
             eeprom: Eeprom::new(chip.eeprom_len()),
             power_cut: false,
             slot,
-            uart: Uart::new(),
+            usb: Port::new(avr, chip.serial_interrupt())?,
+            bus: match chip.bus_interrupt() {
+                Some(first) => Some(Port::new(avr, first)?),
+                None => None,
+            },
             adc: Adc::new(),
             inputs: Inputs {
                 shared: chip == Chip::Atmega328p,
@@ -83,8 +88,12 @@ impl Wired {
             avr.on(from_spi, spi_out, parameter);
             avr.on(bad_opcode, invalid_opcode, parameter);
             eeprom::connect(avr, wired.0);
-            serial::connect(avr, wired.0);
-            serial::reset(wired.0);
+            serial::connect::<FIRST>(avr, wired.0);
+            serial::reset::<FIRST>(wired.0);
+            if wired.bus.is_some() {
+                serial::connect::<SECOND>(avr, wired.0);
+                serial::reset::<SECOND>(wired.0);
+            }
             adc::connect(avr, wired.0);
         }
         Ok(wired)
@@ -92,12 +101,24 @@ impl Wired {
 
     /// Puts bytes on the serial line to the program, from this cycle on. The end of the last one's stop bit.
     pub fn send_serial(&mut self, bytes: &[u8], flaw: Option<Flaw>, at: u64) -> u64 {
+        self.send::<FIRST>(bytes, flaw, at)
+    }
+
+    /// The same on the line of the bus.
+    ///
+    /// # Panics
+    /// Where the chip has none.
+    pub fn send_bus(&mut self, bytes: &[u8], at: u64) -> u64 {
+        self.send::<SECOND>(bytes, None, at)
+    }
+
+    fn send<const AT: u16>(&mut self, bytes: &[u8], flaw: Option<Flaw>, at: u64) -> u64 {
         let at = at.max(self.cycles());
-        let wire = self.uart.wire();
+        let wire = self.port_mut::<AT>().uart.wire();
         let ends = bytes.iter().map(|&byte| wire.send(byte, flaw, at));
         let end = ends.last().unwrap_or(at);
         // SAFETY: the chip is alive, and no reference to the wiring is held.
-        unsafe { serial::settle(self.0) };
+        unsafe { serial::settle::<AT>(self.0) };
         end
     }
 
@@ -109,7 +130,10 @@ impl Wired {
         // SAFETY: the chip is alive, and no reference to the wiring is held.
         unsafe {
             eeprom::await_end(self.0);
-            serial::reset(self.0);
+            serial::reset::<FIRST>(self.0);
+            if self.bus.is_some() {
+                serial::reset::<SECOND>(self.0);
+            }
             adc::settle(self.0);
         }
     }
@@ -139,6 +163,38 @@ impl Drop for Wired {
 }
 
 impl Wiring {
+    fn port<const AT: u16>(&self) -> &Port {
+        match AT {
+            FIRST => &self.usb,
+            _ => self.bus.as_ref().expect("a chip with a second port"),
+        }
+    }
+
+    fn port_mut<const AT: u16>(&mut self) -> &mut Port {
+        match AT {
+            FIRST => &mut self.usb,
+            _ => self.bus.as_mut().expect("a chip with a second port"),
+        }
+    }
+
+    /// The serial port.
+    pub fn uart(&self) -> &Uart {
+        &self.port::<FIRST>().uart
+    }
+
+    /// The same, to change.
+    pub fn uart_mut(&mut self) -> &mut Uart {
+        &mut self.port_mut::<FIRST>().uart
+    }
+
+    /// That of the bus.
+    ///
+    /// # Panics
+    /// Where the chip has none.
+    pub fn bus_mut(&mut self) -> &mut Uart {
+        &mut self.port_mut::<SECOND>().uart
+    }
+
     /// Cycles since the board was made; in a callback, up to the start of the instruction.
     pub fn cycles(&self) -> u64 {
         // SAFETY: the chip is alive.

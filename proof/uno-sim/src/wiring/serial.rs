@@ -1,24 +1,46 @@
-//! The registers of USART0, through which the program reaches the serial port, and its interrupts.
+//! The registers of a USART, through which the program reaches a serial port, and its interrupts.
+//!
+//! Each callback is there for each port: `AT` is how far its registers stand behind those of USART0.
 
 use super::Wiring;
 use crate::Error;
 use crate::avr::{Avr, Interrupt, reg};
-use crate::uart::{Requests, Setting};
+use crate::uart::{Requests, Setting, Uart};
 use simavr_ffi as ffi;
 use std::ffi::c_void;
 use std::ptr::NonNull;
 
-/// The interrupts of USART0, by their numbers (ATmega328P datasheet, table 11-6).
+/// USART0, and USART1 of a chip that has one.
+pub(super) const FIRST: u16 = 0;
+pub(super) const SECOND: u16 = 8;
+
+/// The interrupts of a USART, by their numbers (ATmega328P datasheet, table 11-6).
 #[derive(Clone, Copy)]
-pub(super) struct Interrupts {
+struct Interrupts {
     received: Interrupt,
     room: Interrupt,
     sent: Interrupt,
 }
 
+/// A serial port with its interrupts.
+pub(crate) struct Port {
+    pub uart: Uart,
+    interrupts: Interrupts,
+}
+
+impl Port {
+    /// With nothing on the line; its interrupts from this number on.
+    pub(super) fn new(avr: &Avr, first: u8) -> Result<Port, Error> {
+        Ok(Port {
+            uart: Uart::new(),
+            interrupts: Interrupts::of(avr, first)?,
+        })
+    }
+}
+
 impl Interrupts {
-    pub fn of(avr: &Avr) -> Result<Interrupts, Error> {
-        let first = avr.chip().serial_interrupt();
+    /// Those from this number on.
+    fn of(avr: &Avr, first: u8) -> Result<Interrupts, Error> {
         Ok(Interrupts {
             received: avr.interrupt(first)?,
             room: avr.interrupt(first + 1)?,
@@ -31,14 +53,14 @@ impl Interrupts {
 ///
 /// # Safety
 /// `wiring` is the wiring of this chip, and outlives it.
-pub(super) unsafe fn connect(avr: &mut Avr, wiring: NonNull<Wiring>) {
+pub(super) unsafe fn connect<const AT: u16>(avr: &mut Avr, wiring: NonNull<Wiring>) {
     let parameter = wiring.as_ptr().cast();
     // SAFETY: each callback expects a pointer to a `Wiring`; the rest is the caller's.
     unsafe {
-        avr.on_read(reg::UDR0, read_data, parameter);
-        avr.on_write(reg::UDR0, write_data, parameter);
+        avr.on_read(reg::UDR0 + AT, read_data::<AT>, parameter);
+        avr.on_write(reg::UDR0 + AT, write_data::<AT>, parameter);
         // simavr's own callback is replaced: the register holds what is read.
-        avr.on_read(reg::UCSR0A, read_status, parameter);
+        avr.on_read(reg::UCSR0A + AT, read_status::<AT>, parameter);
         for register in [
             reg::UCSR0A,
             reg::UCSR0B,
@@ -46,12 +68,12 @@ pub(super) unsafe fn connect(avr: &mut Avr, wiring: NonNull<Wiring>) {
             reg::UBRR0,
             reg::UBRR0 + 1,
         ] {
-            avr.on_write(register, write_control, parameter);
+            avr.on_write(register + AT, write_control::<AT>, parameter);
         }
-        let interrupts = wiring.as_ref().serial;
-        avr.on(interrupts.received.pending(), taken, parameter);
-        avr.on(interrupts.room.pending(), taken, parameter);
-        avr.on(interrupts.sent.pending(), sent_taken, parameter);
+        let interrupts = wiring.as_ref().port::<AT>().interrupts;
+        avr.on(interrupts.received.pending(), taken::<AT>, parameter);
+        avr.on(interrupts.room.pending(), taken::<AT>, parameter);
+        avr.on(interrupts.sent.pending(), sent_taken::<AT>, parameter);
     }
 }
 
@@ -59,33 +81,34 @@ pub(super) unsafe fn connect(avr: &mut Avr, wiring: NonNull<Wiring>) {
 ///
 /// # Safety
 /// `wiring` is alive and so is its chip; no reference to either is held.
-pub(super) unsafe fn reset(wiring: NonNull<Wiring>) {
+pub(super) unsafe fn reset<const AT: u16>(wiring: NonNull<Wiring>) {
     /// UCSR0C: 8 data bits.
     const EIGHT_BITS: u8 = 3 << 1;
     // SAFETY: the caller's; the reference ends with the statement.
     unsafe {
         let wiring = &mut *wiring.as_ptr();
-        wiring.uart.reset();
-        Avr::set_register_of(wiring.avr, reg::UCSR0C, EIGHT_BITS);
+        wiring.port_mut::<AT>().uart.reset();
+        Avr::set_register_of(wiring.avr, reg::UCSR0C + AT, EIGHT_BITS);
     }
     // SAFETY: the caller's.
-    unsafe { settle(wiring) };
+    unsafe { settle::<AT>(wiring) };
 }
 
 /// Shows the program what the port is at: flags, interrupts, and the time of what comes next.
 ///
 /// # Safety
 /// `wiring` is alive and so is its chip; no reference to either is held.
-pub(super) unsafe fn settle(wiring: NonNull<Wiring>) {
+pub(super) unsafe fn settle<const AT: u16>(wiring: NonNull<Wiring>) {
     // SAFETY: the caller's; the reference ends with the block, before simavr is called.
     let (avr, interrupts, requests, wait) = unsafe {
         let wiring = wiring.as_ref();
-        let (avr, uart) = (wiring.avr, &wiring.uart);
-        Avr::set_register_of(avr, reg::UCSR0A, uart.status());
-        Avr::set_register_of(avr, reg::UCSR0B, uart.control());
+        let (avr, port) = (wiring.avr, wiring.port::<AT>());
+        let uart = &port.uart;
+        Avr::set_register_of(avr, reg::UCSR0A + AT, uart.status());
+        Avr::set_register_of(avr, reg::UCSR0B + AT, uart.control());
         let wait = |due: u64| due.saturating_sub(wiring.cycles());
-        let due = uart.due(setting(avr));
-        (avr, wiring.serial, uart.requests(), due.map(wait))
+        let due = uart.due(setting::<AT>(avr));
+        (avr, port.interrupts, uart.requests(), due.map(wait))
     };
     let Requests {
         received,
@@ -98,18 +121,18 @@ pub(super) unsafe fn settle(wiring: NonNull<Wiring>) {
         interrupts.room.request(avr, room);
         interrupts.sent.request(avr, sent);
         if let Some(cycles) = wait {
-            Avr::after(avr, cycles, is_due, wiring.as_ptr().cast());
+            Avr::after(avr, cycles, is_due::<AT>, wiring.as_ptr().cast());
         }
     }
 }
 
 /// # Safety
 /// See [`Avr::register_of`].
-unsafe fn setting(avr: NonNull<ffi::avr_t>) -> Setting {
+unsafe fn setting<const AT: u16>(avr: NonNull<ffi::avr_t>) -> Setting {
     let registers = [reg::UBRR0, reg::UBRR0 + 1, reg::UCSR0A, reg::UCSR0C];
     // SAFETY: the caller's.
     let [low, high, status, form] =
-        registers.map(|register| unsafe { Avr::register_of(avr, register) });
+        registers.map(|register| unsafe { Avr::register_of(avr, register + AT) });
     Setting::of(u16::from_le_bytes([low, high]), status, form)
 }
 
@@ -117,34 +140,37 @@ unsafe fn setting(avr: NonNull<ffi::avr_t>) -> Setting {
 ///
 /// # Safety
 /// `parameter` points to a `Wiring` to which no reference is held, and so is its chip alive.
-unsafe fn with<T>(parameter: *mut c_void, act: impl FnOnce(&mut Wiring, u64, Setting) -> T) -> T {
+unsafe fn with<const AT: u16, T>(
+    parameter: *mut c_void,
+    act: impl FnOnce(&mut Uart, u64, Setting) -> T,
+) -> T {
     let wiring = parameter.cast::<Wiring>();
     // SAFETY: the caller's; the reference ends with the block. The pointer is not null.
     let (result, wiring) = unsafe {
         let now = (*wiring).cycles();
-        let setting = setting((*wiring).avr);
+        let setting = setting::<AT>((*wiring).avr);
         (
-            act(&mut *wiring, now, setting),
+            act(&mut (*wiring).port_mut::<AT>().uart, now, setting),
             NonNull::new_unchecked(wiring),
         )
     };
     // SAFETY: the caller's.
-    unsafe { settle(wiring) };
+    unsafe { settle::<AT>(wiring) };
     result
 }
 
 /// The program reads UDR0.
-unsafe extern "C" fn read_data(
+unsafe extern "C" fn read_data<const AT: u16>(
     _: *mut ffi::avr_t,
     _: ffi::avr_io_addr_t,
     wiring: *mut c_void,
 ) -> u8 {
     // SAFETY: `wiring` is what `connect` registered, and nobody else holds a reference to it during a step.
-    unsafe { with(wiring, |wiring, now, _| wiring.uart.take_data(now)) }
+    unsafe { with::<AT, _>(wiring, |uart, now, _| uart.take_data(now)) }
 }
 
 /// The program writes to UDR0.
-unsafe extern "C" fn write_data(
+unsafe extern "C" fn write_data<const AT: u16>(
     _: *mut ffi::avr_t,
     _: ffi::avr_io_addr_t,
     value: u8,
@@ -152,62 +178,69 @@ unsafe extern "C" fn write_data(
 ) {
     // SAFETY: as in `read_data`.
     unsafe {
-        with(wiring, |wiring, now, setting| {
-            wiring.uart.set_data(value, now, setting)
+        with::<AT, _>(wiring, |uart, now, setting| {
+            uart.set_data(value, now, setting)
         })
     }
 }
 
 /// The program reads UCSR0A.
-unsafe extern "C" fn read_status(
+unsafe extern "C" fn read_status<const AT: u16>(
     _: *mut ffi::avr_t,
     _: ffi::avr_io_addr_t,
     wiring: *mut c_void,
 ) -> u8 {
     // SAFETY: as in `read_data`.
-    unsafe { (*wiring.cast::<Wiring>()).uart.status() }
+    unsafe { (*wiring.cast::<Wiring>()).port::<AT>().uart.status() }
 }
 
 /// The program writes to a register that sets the port up.
-unsafe extern "C" fn write_control(
-    _: *mut ffi::avr_t,
+unsafe extern "C" fn write_control<const AT: u16>(
+    avr: *mut ffi::avr_t,
     register: ffi::avr_io_addr_t,
     value: u8,
     wiring: *mut c_void,
 ) {
-    let write = |wiring: &mut Wiring, now, _| match register {
-        reg::UCSR0A => wiring.uart.set_status(value),
-        reg::UCSR0B => wiring.uart.set_control(value, now),
-        // SAFETY: the chip is the one that is stepping, and `register` one of its own.
-        _ => unsafe { Avr::set_register_of(wiring.avr, register, value) },
+    let write = |uart: &mut Uart, now, _| match register - AT {
+        reg::UCSR0A => uart.set_status(value),
+        reg::UCSR0B => uart.set_control(value, now),
+        _ => {
+            let avr = NonNull::new(avr).expect("the chip that is stepping");
+            // SAFETY: it is alive, and `register` is one of its own.
+            unsafe { Avr::set_register_of(avr, register, value) }
+        }
     };
     // SAFETY: as in `read_data`.
-    unsafe { with(wiring, write) }
+    unsafe { with::<AT, _>(wiring, write) }
 }
 
 /// The time has come that the port was waiting for.
-unsafe extern "C" fn is_due(_: *mut ffi::avr_t, _: u64, wiring: *mut c_void) -> u64 {
+unsafe extern "C" fn is_due<const AT: u16>(_: *mut ffi::avr_t, _: u64, wiring: *mut c_void) -> u64 {
     // SAFETY: as in `read_data`.
-    unsafe {
-        with(wiring, |wiring, now, setting| {
-            wiring.uart.pass(now, setting)
-        })
-    }
+    unsafe { with::<AT, _>(wiring, |uart, now, setting| uart.pass(now, setting)) }
     0
 }
 
 /// The CPU has taken the interrupt USART_RX or USART_UDRE, which is asked for as long as its flag is set.
-unsafe extern "C" fn taken(_: *mut ffi::avr_irq_t, pending: u32, wiring: *mut c_void) {
+unsafe extern "C" fn taken<const AT: u16>(
+    _: *mut ffi::avr_irq_t,
+    pending: u32,
+    wiring: *mut c_void,
+) {
     if pending == 0 {
         // SAFETY: as in `read_data`.
-        unsafe { with(wiring, |_, _, _| ()) }
+        unsafe { with::<AT, _>(wiring, |_, _, _| ()) }
     }
 }
 
 /// The CPU has taken the interrupt USART_TX.
-unsafe extern "C" fn sent_taken(_: *mut ffi::avr_irq_t, pending: u32, wiring: *mut c_void) {
+unsafe extern "C" fn sent_taken<const AT: u16>(
+    _: *mut ffi::avr_irq_t,
+    pending: u32,
+    wiring: *mut c_void,
+) {
     if pending == 0 {
         // SAFETY: as in `read_data`.
-        unsafe { with(wiring, |wiring, _, _| wiring.uart.sent_is_served()) }
+        unsafe { with::<AT, _>(wiring, |uart, _, _| uart.sent_is_served()) }
     }
 }

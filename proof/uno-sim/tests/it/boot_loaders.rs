@@ -12,7 +12,7 @@ use unoclp_client::session::Event;
 use unoclp_client::start::find;
 use unoclp_lang::Lang;
 use unoclp_uno_sim::port::{Options, Pace, Port};
-use unoclp_uno_sim::{BootLoader, CYCLES_PER_MS, Line, Program, Slot, Uno};
+use unoclp_uno_sim::{BootLoader, CYCLES_PER_MS, Line, Program, STALL, Slot, Uno};
 
 /// Input 01 is output 01.
 const FOLLOW: &str = "0\n827301\n877901\n";
@@ -43,6 +43,18 @@ fn firmware(model: Model) -> Image {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../firmware");
     let hex = folder.join(format!("unoclp-{}.hex", model.firmware().name()));
     Image::read(&std::fs::read(hex).unwrap(), model).unwrap()
+}
+
+/// Where something stands in it.
+fn symbol(model: Model, name: &str) -> u32 {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../firmware");
+    let file = folder.join(format!("unoclp-{}.symbols", model.firmware().name()));
+    let symbols = std::fs::read_to_string(file).unwrap();
+    let line = symbols
+        .lines()
+        .find(|line| line.ends_with(&format!(" {name}")));
+    let (address, _) = line.and_then(|line| line.split_once(' ')).unwrap();
+    u32::from_str_radix(address, 16).unwrap()
 }
 
 /// A firmware of four pages: vectors, and then a loop.
@@ -138,6 +150,34 @@ fn the_firmware_goes_through_each_boot_loader_and_runs_a_program() {
             Model::Mega => "unoclp Mega",
         };
         assert_eq!(found.unwrap().product, product);
+    }
+}
+
+/// A scan that stands still: the reset of the watchdog leads through the boot loader, which clears the chip's record of it,
+/// to a fault with the outputs off.
+#[test]
+fn a_reset_by_the_watchdog_is_told_after_the_boot_loader() {
+    for model in [Model::Uno, Model::Mega] {
+        let mut uno = chip(model, Slot::Card(common::card(FOLLOW)));
+        assert_eq!(flash(&mut uno, &firmware(model)), Ok(()), "{model:?}");
+        uno.set_serial_line(Line::default());
+        common::to_run(&mut uno);
+        uno.set_inputs(1);
+        uno.run_ms(50).unwrap();
+        assert_eq!(uno.outputs(), 1);
+        uno.patch_flash(symbol(model, "scan_begin"), &STALL)
+            .unwrap();
+        let mut ms = 0;
+        while uno.outputs() != 0 {
+            uno.run_ms(1).unwrap();
+            ms += 1;
+            assert!(ms <= 150, "{model:?}: {ms} ms");
+        }
+        let said = common::ms_until(&mut uno, &["fault 61"]).1;
+        assert!(said.contains("by the watchdog"), "{model:?}: {said:?}");
+        uno.run_ms(100).unwrap();
+        assert_eq!(uno.outputs(), 0, "{model:?}");
+        assert_eq!(common::modbus::input(&mut uno, 19), 3, "{model:?}");
     }
 }
 

@@ -1,4 +1,4 @@
-//! Random charts: the firmware does what the norm says and what the core does, scan by scan.
+//! Random charts: the firmware does what the standard says and what the core does, scan by scan.
 //!
 //! `UNOCLP_SEED` is the first seed.
 
@@ -90,7 +90,9 @@ fn compared(uno: &mut UnoEngine, seed: u64) -> Result<Option<u32>, String> {
                 let Some(cell) = *cell else { continue };
                 let is = uno.look(cell).map_err(|error| told(error.to_string()))?;
                 if is != wanted {
-                    return Err(told(format!("{cell:?} is {is}, but {wanted} by the norm")));
+                    return Err(told(format!(
+                        "{cell:?} is {is}, but {wanted} by the standard"
+                    )));
                 }
             }
             now += random.below(30) as u32;

@@ -1,4 +1,4 @@
-//! The moving picture of README shows what the firmware of now does with the machine: it says in a comment which pictures it
+//! The animation of README shows what the firmware of now does with the machine: it says in a comment which pictures it
 //! has, and the firmware makes them again.
 
 use crate::common;

@@ -17,7 +17,7 @@ const AT_ONCE: i32 = 12;
 const SCANS: &str = "0\n756801\n766801\n65686800\n1\n838401\n";
 /// The command that restarts the board.
 const RESTART: u16 = 4;
-/// `rjmp .-2`: for ever here.
+/// `rjmp .-2`: forever here.
 const STALL: [u8; 2] = [0xFF, 0xCF];
 /// A record of two numbers.
 const RECORD: usize = 11;

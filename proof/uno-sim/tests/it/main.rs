@@ -35,6 +35,7 @@ mod sd_driver;
 mod sd_protocol;
 mod sd_write;
 mod serve;
+mod slow;
 mod soak;
 mod stack;
 mod start_up;

@@ -1,5 +1,4 @@
-//! A program that changes in run memory while it runs. Of an UNO alone: a byte that is no handler of a Mega may lead its engine
-//! beyond its page.
+//! A program that changes in run memory while it runs.
 
 use crate::common::{card, firmware, to_run, uno};
 use crate::diagnosis::fault_within;

@@ -11,7 +11,7 @@ use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
 /// its code.
 const TEXT: &str = "0\n877901\n787600\n-827301\n404101\n40\n404101\n-827902\n41\n83877902\n787600\n827301\n847978\n500\n7903\n787600\n827302\n847970\n500\n7904\n";
 
-/// `rjmp .-2`: for ever here.
+/// `rjmp .-2`: forever here.
 const STALL: [u8; 2] = [0xFF, 0xCF];
 
 fn running(boot_loader: bool) -> Uno {

@@ -1,6 +1,8 @@
 //! How fast a Mega is, counted from one `scan_begin` to the next.
 
+use crate::BOARD;
 use crate::common::{card, to_run, uno};
+use unoclp_checked::Checked;
 use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
 
 /// The longest scan that is waited for, cycles.
@@ -12,7 +14,8 @@ const SCANS: usize = 200;
 fn running(text: &str) -> Uno {
     let mut mega = uno(Slot::Card(card(text)));
     to_run(&mut mega);
-    mega.run_ms(20).unwrap();
+    // A long one is linked first.
+    mega.run_ms(200).unwrap();
     mega
 }
 
@@ -47,10 +50,56 @@ fn rung(inputs: [u8; 4], output: u8) -> u64 {
 
 #[test]
 fn a_rung_of_four_contacts_and_a_coil() {
-    let near = rung([1, 2, 3, 4], 1);
-    let beyond = rung([9, 10, 11, 12], 9);
-    println!("inputs 01 to 04, output 01: {near} cycles; inputs 09 to 12, output 09: {beyond}");
-    assert!(near <= 20, "{near}");
+    let rungs = [
+        ([1, 2, 3, 4], 1, 20),
+        ([5, 6, 7, 8], 4, 20),
+        ([2, 4, 5, 7], 2, 20),
+        ([1, 2, 3, 4], 5, 30),
+        ([5, 6, 7, 8], 8, 30),
+        ([9, 10, 11, 12], 9, 30),
+        ([13, 14, 15, 16], 1, 30),
+        ([17, 20, 22, 24], 16, 30),
+    ];
+    for (inputs, output, most) in rungs {
+        let cycles = rung(inputs, output);
+        println!("inputs {inputs:?}, output {output}: {cycles} cycles");
+        assert!(
+            cycles <= most,
+            "inputs {inputs:?}, output {output}: {cycles}"
+        );
+    }
+}
+
+#[test]
+fn a_whole_scan_of_500_such_rungs() {
+    let [least, mean] = scans(&rungs(500, [9, 10, 11, 12], 9));
+    println!("500 rungs: {least} cycles at least, {mean} in the mean");
+    assert!(mean <= CYCLES_PER_MS, "{mean}");
+}
+
+/// From its first instruction, with a program of full size that is kept, and no card.
+#[test]
+fn a_program_of_full_size_runs_within_a_second() {
+    let timers = "787600\n847978\n100000\n7901\n".repeat(60);
+    let begun = format!("0\n{timers}");
+    let bytes = |text: &str| {
+        let checked = Checked::read(text.as_bytes(), BOARD).unwrap();
+        checked.program().stored_bytes()
+    };
+    let room = usize::from(BOARD.stored_bytes) - bytes(&begun);
+    let text = begun + &"827301\n877901\n".repeat(room / 2);
+    println!("{} B", bytes(&text));
+    assert!(bytes(&text) + 2 > usize::from(BOARD.stored_bytes));
+    let mut mega = uno(Slot::Card(card(&text)));
+    to_run(&mut mega);
+    mega.swap_slot(Slot::Empty);
+    mega.power_up();
+    let begun = mega.cycles();
+    let begin = mega.symbol("scan_begin").unwrap().address;
+    mega.run_until(begin, 2000 * CYCLES_PER_MS).unwrap();
+    let ms = (mega.cycles() - begun) / CYCLES_PER_MS;
+    println!("{ms} ms to the first scan");
+    assert!(ms <= 1000, "{ms}");
 }
 
 /// All inputs are read and all outputs are written in it.

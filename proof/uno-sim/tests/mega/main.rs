@@ -16,6 +16,7 @@ mod diagnosis;
 mod fault_matrix;
 #[path = "../it/kept.rs"]
 mod kept;
+mod lines;
 #[path = "../it/live.rs"]
 mod live;
 #[path = "../it/modbus.rs"]
@@ -39,6 +40,8 @@ mod points;
 mod program_memory;
 #[path = "../it/retentive.rs"]
 mod retentive;
+#[path = "../it/run_memory.rs"]
+mod run_memory;
 #[path = "../it/stack.rs"]
 mod stack;
 #[path = "../it/start_up.rs"]

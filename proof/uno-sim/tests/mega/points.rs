@@ -1,13 +1,15 @@
-//! The firmware of the Mega 2560 on simavr.
+//! The points of the Mega 2560, of its firmware on simavr and on avr8js.
 
 use crate::common::alike::{Counts, alike};
 use crate::common::firmware;
 use unoclp_checked::Checked;
 use unoclp_core::{Board, Inputs};
-use unoclp_host_sim::engine::{Engine, HostEngine};
+use unoclp_host_sim::engine::{Engine, HostEngine, Refusal};
 use unoclp_host_sim::random::{Random, random_program_on};
 use unoclp_testing::rounds;
-use unoclp_uno_sim::engine::{Clock, UnoEngine};
+use unoclp_uno_sim::Uno;
+use unoclp_uno_sim::avr8js::Avr8js;
+use unoclp_uno_sim::engine::{Clock, EngineError, FirmwareEngine, Simulated, UnoEngine};
 
 const PROGRAMS: u32 = 600;
 const LEAST_PROGRAMS: u32 = 150;
@@ -16,8 +18,21 @@ const SEED: u64 = 0x2560;
 /// Random programs up to full size, with all of its points, on the core and on the firmware.
 #[test]
 fn random_programs_behave_alike_on_a_mega() {
+    // Its EEPROM takes seconds for a program of full size.
+    compare::<Uno>(|mega, _, checked| mega.start_kept(checked.program()));
+}
+
+/// The same on avr8js, which the page runs the firmware on.
+#[test]
+fn random_programs_behave_alike_on_a_mega_on_avr8js() {
+    compare::<Avr8js>(|mega, text, _| mega.load(text.as_bytes()));
+}
+
+type Started = Result<Result<(), Refusal>, EngineError>;
+
+fn compare<S: Simulated>(start: fn(&mut FirmwareEngine<S>, &str, &Checked) -> Started) {
     let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
-    let mut mega = UnoEngine::new(firmware(), Clock::Lockstep).unwrap();
+    let mut mega = FirmwareEngine::<S>::new(firmware(), Clock::Lockstep).unwrap();
     let (mut all, mut longest) = (Counts::default(), 0);
     let programs = rounds(PROGRAMS).max(LEAST_PROGRAMS);
     for n in 0..programs {
@@ -29,7 +44,7 @@ fn random_programs_behave_alike_on_a_mega() {
         assert_eq!(accepted, Ok(()), "seed {seed} on the host:\n{text}");
         let checked = Checked::read(text.as_bytes(), Board::MEGA).unwrap();
         longest = longest.max(checked.program().stored_bytes());
-        let started = mega.start_kept(checked.program());
+        let started = start(&mut mega, &text, &checked);
         let started = started.unwrap_or_else(|e| panic!("seed {seed}: {e}\n{text}"));
         assert_eq!(started, Ok(()), "seed {seed} on the firmware:\n{text}");
         let counts = alike(&mut mega, &mut host, random, seed, &text);

@@ -6,7 +6,9 @@ use crate::common::firmware;
 use unoclp_core::Board;
 use unoclp_exercise::scenario::check;
 use unoclp_host_sim::engine::{Engine, HostEngine, Refusal};
-use unoclp_uno_sim::engine::{Clock, UnoEngine};
+use unoclp_uno_sim::Uno;
+use unoclp_uno_sim::avr8js::Avr8js;
+use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
 
 /// What scenarios say of the UNO alone: there inputs 05 to 08 read as 0 where no code names them.
 const OF_AN_UNO: [&str; 2] = ["load-inputs.toml", "load-inputs-named.toml"];
@@ -15,9 +17,19 @@ const OF_AN_UNO: [&str; 2] = ["load-inputs.toml", "load-inputs-named.toml"];
 /// core accepts it.
 #[test]
 fn every_scenario_in_lockstep() {
-    let mut mega = UnoEngine::new(firmware(), Clock::Lockstep).unwrap();
+    run_all::<Uno>(Of::Each);
+}
+
+/// The same on avr8js, which the page runs the firmware on.
+#[test]
+fn every_scenario_in_lockstep_on_avr8js() {
+    run_all::<Avr8js>(Of::First);
+}
+
+fn run_all<S: Simulated>(of: Of) {
+    let mut mega = FirmwareEngine::<S>::new(firmware(), Clock::Lockstep).unwrap();
     let (mut passed, mut other, mut failed) = (0, 0, Vec::new());
-    for (path, scenario) in every_scenario(&["programs", "proof/suite"], Of::Each) {
+    for (path, scenario) in every_scenario(&["programs", "proof/suite"], of) {
         let program = &scenario.program().bytes;
         let [uno, here] = [Board::UNO, BOARD].map(|board| first_fault(program, board));
         if uno != here {

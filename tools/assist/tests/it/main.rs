@@ -2,5 +2,6 @@
 
 mod forms;
 mod names;
+mod projects;
 mod remedies;
 mod texts;

@@ -4,9 +4,7 @@
 
 use crate::texts::{alike, all, text, written};
 use std::rc::Rc;
-use unoclp_assist::{
-    NoRename, complete, declaration, edited, hover, prepare, rename, symbols, uses,
-};
+use unoclp_assist::{Edit, NoRename, complete, declaration, edited, hover, prepare, symbols, uses};
 use unoclp_lang::Lang;
 use unoclp_program::Written;
 use unoclp_workspace::{All, Workspace};
@@ -16,6 +14,11 @@ fn marked(end: &str, with_mark: &str) -> (Written, u32) {
     let at = with_mark.find('|').expect("a mark");
     let whole = format!("{}{}", &with_mark[..at], &with_mark[at + 1..]);
     (text(end, &whole), at as u32)
+}
+
+/// What gives a name at a byte another.
+fn rename(written: &Written, byte: u32, name: &str) -> Result<Vec<Edit>, NoRename> {
+    unoclp_assist::rename(&Workspace::default().open(written.clone()), byte, name)
 }
 
 fn offers(end: &str, with_mark: &str) -> Vec<String> {
@@ -134,7 +137,7 @@ fn nothing_is_offered_in_a_comment_or_a_number() {
 fn a_word_is_told_what_it_stands_for() {
     assert!(
         told("st", &at("start AT"))
-            .starts_with("start AT %IX1 : BOOL\nstands at I1\nused 1 times, never written")
+            .starts_with("start AT %IX1 : BOOL\nis at I1\nused 1 times, never written")
     );
     assert!(told("st", &at("mode : Mode")).contains("mode : Mode"));
     assert!(told("st", &at("runs AND mode")).contains("runs : BOOL\nVAR_OUTPUT"));

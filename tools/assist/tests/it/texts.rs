@@ -3,7 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_core::Board;
+use unoclp_plcopen::export_text;
 use unoclp_program::Written;
+use unoclp_testing::chart::sketch;
+use unoclp_testing::rounds;
 
 /// A file of the repository as a program for the UNO.
 pub fn written(path: &Path) -> Written {
@@ -39,6 +42,34 @@ pub fn all() -> Vec<PathBuf> {
     }
     found.sort();
     assert!(found.len() > 150, "{}", found.len());
+    found
+}
+
+/// Projects in PLCopen XML, each with where it is from: those of files, charts of chance, and texts of all kinds as projects.
+pub fn projects() -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut found = Vec::new();
+    for folder in ["tests/it", "../../ladder/plcopen/tests/alike"] {
+        for entry in fs::read_dir(root.join(folder)).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_some_and(|end| end == "xml") {
+                let text = fs::read_to_string(&path).unwrap();
+                found.push((path.display().to_string(), text));
+            }
+        }
+    }
+    for seed in 0..rounds(6).into() {
+        let text = sketch(seed).text(seed % 2 == 0);
+        found.push((format!("chart {seed}"), export_text(&text, "chart")));
+    }
+    let texts = all()
+        .into_iter()
+        .filter(|path| path.extension().is_some_and(|end| end == "st"));
+    for path in texts.step_by(5) {
+        let text = fs::read_to_string(&path).unwrap();
+        found.push((path.display().to_string(), export_text(&text, "text")));
+    }
+    assert!(found.len() > 20, "{}", found.len());
     found
 }
 

@@ -106,7 +106,7 @@ pub fn kept() -> Result<Kept, String> {
     board.points.program.ok_or("no program".to_owned())
 }
 
-/// Serves so many boards at a port of this PC, for ever.
+/// Serves so many boards at a port of this PC, forever.
 fn serve(
     count: usize,
     kept: Kept,

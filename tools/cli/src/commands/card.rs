@@ -53,7 +53,7 @@ pub fn card(target: &Path, file: &Path, state: bool, over: Over, wording: &Wordi
     } else {
         into_image(target, &code, state)?;
     }
-    println!("{}", messages::on_card(program.name, name, bytes));
+    println!("{}", messages::on_card(&program.name, name, bytes));
     Ok(true)
 }
 

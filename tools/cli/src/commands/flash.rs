@@ -18,7 +18,7 @@ use unoclp_client::session::Event;
 /// What is written, and where.
 #[derive(Args)]
 pub struct Firmware {
-    /// A firmware file in Intel HEX; else the tested firmware that comes with this command
+    /// A firmware file in Intel HEX; without it, the tested firmware that comes with this command
     file: Option<PathBuf>,
     /// The serial port: /dev/ttyACM0, /dev/ttyUSB0, COM3 …
     #[arg(long)]

@@ -17,7 +17,7 @@ const COMMANDS: &[(&str, &str)] = &[
     ("compile", "Compila um texto para código numérico"),
     (
         "adapt",
-        "Dá um lugar na placa aos pontos de um texto que ela não tem, em uma cópia",
+        "Passa os pontos que faltam a uma placa para pontos livres, em uma cópia do texto",
     ),
     (
         "units",
@@ -25,7 +25,7 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     (
         "list",
-        "Mostra um programa como diagrama ladder, Lista de Instruções, Texto Estruturado, PLCopen XML ou código numérico com significado",
+        "Mostra um programa como diagrama ladder, Lista de Instruções, Texto Estruturado, PLCopen XML ou código numérico comentado",
     ),
     (
         "sim",
@@ -37,7 +37,7 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     (
         "plant check",
-        "Diz o que uma máquina tem e pede, ou cada erro com a sua linha",
+        "Mostra os elementos e as metas de uma máquina, ou cada erro com a sua linha",
     ),
     ("plant draw", "Desenha uma máquina como ela está no começo"),
     (
@@ -50,16 +50,16 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     (
         "mutants",
-        "Faz programas errados da solução de um exercício e diz quais passam",
+        "Gera programas errados a partir da solução de um exercício e diz quais passam",
     ),
     ("run", "Executa um programa neste PC e mostra as variáveis"),
     (
         "card",
-        "Grava um programa em um cartão de memória, ou em uma nova imagem de um",
+        "Grava um programa em um cartão de memória, ou em uma nova imagem de cartão",
     ),
     (
         "upload",
-        "Envia um programa a uma placa pela porta serial, em vez de um cartão",
+        "Envia um programa a uma placa pela porta serial, em vez de usar um cartão",
     ),
     (
         "flash",
@@ -79,7 +79,7 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     (
         "site check",
-        "Diz o que um gateway faria por ele, ou cada erro com a sua linha",
+        "Diz o que um gateway faria com ele, ou cada erro com a sua linha",
     ),
     (
         "site move",
@@ -87,11 +87,11 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     (
         "site key",
-        "Cria um token para um usuário, e a chave que o arquivo de instalação tem dele",
+        "Cria um token para um usuário, e a chave dele para o arquivo de instalação",
     ),
     (
         "site history",
-        "Mostra o que um ponto foi, para uma planilha: valores separados por vírgula",
+        "Mostra o histórico de um ponto para uma planilha: valores separados por vírgula",
     ),
     (
         "settings",
@@ -114,7 +114,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "adapt",
         "output",
-        "Onde escrever a cópia, sobre nada que já exista; sem isto, e com -, na saída padrão",
+        "Onde gravar a cópia, em um arquivo novo; sem isto, e com -, na saída padrão",
     ),
     (
         "units",
@@ -239,27 +239,27 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "sim",
         "plant",
-        "Deixa o programa controlar esta máquina: julga metas e regras",
+        "Deixa o programa controlar esta máquina e verifica metas e regras",
     ),
     (
         "sim",
         "seed",
-        "Com o que o acaso começa, no lugar do valor da máquina",
+        "A semente dos eventos aleatórios, no lugar da que a máquina tem",
     ),
     (
         "sim",
         "at",
-        "Com --svg, os momentos que se desenham, no lugar daqueles em que regras foram violadas: 1s,2.5s,1min",
+        "Com --svg, os momentos a desenhar, no lugar daqueles em que regras foram violadas: 1s,2.5s,1min",
     ),
     (
         "sim",
         "gif",
-        "Grava a execução da máquina como imagem animada",
+        "Grava a execução da máquina como um GIF animado",
     ),
     (
         "sim",
         "span",
-        "O trecho da execução que a imagem animada mostra: 0s-12s",
+        "O trecho da execução que a animação mostra: 0s-12s",
     ),
     (
         "sim",

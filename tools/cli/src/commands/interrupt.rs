@@ -1,4 +1,4 @@
-//! Ctrl-C while a board is spoken to: what is under way ends in order. Pressed again, it ends at once.
+//! Ctrl-C during a conversation with a board: what is in progress ends in order. Pressed again, it ends at once.
 
 use crate::messages;
 use signal_hook::consts::SIGINT;

@@ -1,4 +1,4 @@
-//! What the commands do that are more than a few lines.
+//! The commands that are longer than a few lines.
 //!
 //! - `open`: reading a program in any of the languages, and `unoclp check`; `wording`: the options for it
 //! - `output`: files that are written, and what is not overwritten

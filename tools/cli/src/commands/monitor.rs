@@ -7,10 +7,11 @@ use crate::monitor::{App, Program, run, watch};
 use crate::outcome::Outcome;
 use crate::port::Place;
 use anstream::println;
-use anyhow::bail;
+use anyhow::{anyhow, bail};
 use std::io::{IsTerminal, stdin, stdout};
 use std::path::Path;
 use unoclp_client::Patience;
+use unoclp_core::Fault;
 use unoclp_program::not_sent;
 
 /// Shows a board until the person leaves.
@@ -27,7 +28,8 @@ pub fn monitor(
                 if let Some(why) = not_sent(&source, messages::spoken()) {
                     bail!("{}: {why}", source.name);
                 }
-                Some(Program::new(source))
+                let fault = |fault: Fault| anyhow!(messages::fault(fault.cause));
+                Some(Program::new(source).map_err(fault)?)
             }
             None => return Ok(false),
         },

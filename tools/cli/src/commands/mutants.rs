@@ -14,9 +14,10 @@ use unoclp_program::{harmless, shown};
 
 /// Makes wrong programs of the model solution, and says which of them the exercise lets pass.
 pub fn find_mutants(path: &Path, wording: &Wording) -> Outcome {
-    let board = wording.board();
-    let exercise = Exercise::load(path, board);
+    let exercise = Exercise::load(path, wording.board());
     let exercise = exercise.map_err(|error| anyhow!(error.text(messages::spoken())))?;
+    let board = exercise.board;
+    let wording = &wording.on(board);
     let plant = match &exercise.plant {
         Some(path) => match machine(path, board)? {
             Some(plant) => Some(plant),

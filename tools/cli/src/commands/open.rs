@@ -8,12 +8,14 @@ use anstream::{eprint, eprintln, println};
 use anyhow::{anyhow, bail};
 use std::io::{Read, stdin};
 use std::path::Path;
+use std::rc::Rc;
 use unoclp_checked::Diagnosis;
 use unoclp_core::Fault;
 use unoclp_exercise::scenario::{LONGEST, ProgramFile, Unreadable};
 use unoclp_lang::{self as lang, Severity, Told};
 use unoclp_program::{NoProgram, Refused, Seal, Source, Written, diagnosis, shown};
 use unoclp_words::system;
+use unoclp_workspace::{Analysis, Ready};
 
 /// Where the errors of a text are shown.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -51,24 +53,25 @@ pub fn unreadable(name: &str, why: &Unreadable) -> String {
 }
 
 /// Reads a program that is right. The faults of one that is not are shown, and the warnings of its text.
-pub fn open(path: &Path, wording: &Wording, shown: Shown) -> anyhow::Result<Option<Source>> {
+pub fn open(path: &Path, wording: &Wording, shown: Shown) -> anyhow::Result<Option<Ready>> {
     let ProgramFile { name, bytes } = read(path)?;
-    check_written(wording.of(name, bytes), wording, shown)
+    let analysis = wording.workspace().open(wording.of(name, bytes));
+    checked(&analysis, wording, shown)
 }
 
-/// Checks a program that was read; see [`open`].
+/// A program that was read, if it is right; see [`open`].
 ///
 /// # Errors
 /// If the file is in none of the languages.
-pub fn check_written(
-    written: Written,
+pub fn checked(
+    analysis: &Rc<Analysis>,
     wording: &Wording,
     shown: Shown,
-) -> anyhow::Result<Option<Source>> {
-    Ok(match written.check(wording.dialect) {
-        Ok(source) => {
+) -> anyhow::Result<Option<Ready>> {
+    Ok(match analysis.check() {
+        Some(Ok(source)) => {
             if let Some(warnings) = source.language.warnings() {
-                let Source { name, text, .. } = &source;
+                let Source { name, text, .. } = &**source;
                 let shown = lang::show(name, text, warnings, messages::spoken(), &renderer());
                 eprint!("{shown}");
             }
@@ -84,26 +87,26 @@ pub fn check_written(
                     _ => eprintln!("{}", messages::warning(told)),
                 }
             }
-            Some(source)
+            analysis.ready()
         }
-        Err(Refused::Numeric { written, faults }) => {
-            let Written { name, bytes, .. } = &*written;
+        Some(Err(Refused::Numeric { written, faults })) => {
+            let Written { name, bytes, .. } = &**written;
             say!(
                 "{}",
-                diagnosis::show(name, bytes, &faults, messages::spoken(), &renderer())
+                diagnosis::show(name, bytes, faults, messages::spoken(), &renderer())
             );
             None
         }
-        Err(Refused::Text {
+        Some(Err(Refused::Text {
             name,
             text,
             diagnostics,
-        }) => {
-            let all = lang::show(&name, &text, &diagnostics, messages::spoken(), &renderer());
-            let count = count(&diagnostics);
+        })) => {
+            let all = lang::show(name, text, diagnostics, messages::spoken(), &renderer());
+            let count = count(diagnostics);
             let board = wording.board().name;
-            let again = wording.of(name.clone(), text.clone().into_bytes());
-            let adapt = moved(&again).map(|moved| messages::can_be_adapted(&name, moved, board));
+            let moved = moved(analysis.written());
+            let adapt = moved.map(|moved| messages::can_be_adapted(name, moved, board));
             let adapt = adapt.map(|words| format!("\n{words}")).unwrap_or_default();
             match shown {
                 Shown::Here => say!("{all}{name}: {count}{adapt}"),
@@ -111,7 +114,9 @@ pub fn check_written(
             }
             None
         }
-        Err(Refused::NoProgram { name, why }) => bail!(no_program(&name, why)),
+        Some(Err(Refused::NoProgram { name, why })) => bail!(no_program(name, *why)),
+        // Every compiler is at hand.
+        None => None,
     })
 }
 
@@ -153,7 +158,7 @@ pub fn faulty(source: &Source, fault: Fault) -> String {
     running(source, fault)
 }
 
-/// A fault of a program that runs, where it stands in its text: `lamp.il:12: fault 75: …`, and that line below.
+/// A fault of a program that runs, where it is in its text: `lamp.il:12: fault 75: …`, and that line below.
 pub fn running(source: &Source, fault: Fault) -> String {
     let mut cause = messages::fault(fault.cause);
     if let Some(help) = fault.line.and_then(|line| no_real(source, line)) {
@@ -165,7 +170,7 @@ pub fn running(source: &Source, fault: Fault) -> String {
     }
 }
 
-/// What stands in this line of numeric code, where a board without REAL numbers refuses it.
+/// What is in this line of numeric code, where a board without REAL numbers refuses it.
 fn no_real(source: &Source, line: u32) -> Option<String> {
     let code = String::from_utf8_lossy(&source.code);
     let text = code.lines().nth((line as usize).checked_sub(1)?)?;
@@ -183,4 +188,54 @@ pub fn check(path: &Path, wording: &Wording) -> Outcome {
         println!("  {told}");
     }
     Ok(true)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+    use unoclp_checked::Work;
+    use unoclp_core::Board;
+
+    #[derive(Parser)]
+    struct Asked {
+        #[command(flatten)]
+        wording: Wording,
+    }
+
+    fn wording() -> Wording {
+        Asked::parse_from(["unoclp"]).wording
+    }
+
+    #[test]
+    fn a_text_that_is_checked_is_compiled_and_loaded_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("lamp.il");
+        std::fs::write(&path, "LD I1\nST Q1\n").unwrap();
+        let before = Work::done();
+        assert!(check(&path, &wording()).unwrap());
+        let work = Work::since(before);
+        assert_eq!((work.compiles, work.passes), (1, 1), "{work:?}");
+    }
+
+    #[test]
+    fn a_text_that_is_opened_again_is_what_it_was() {
+        let wording = wording();
+        let mut texts = wording.workspace();
+        let written = |wording: &Wording| wording.of("lamp.il".into(), b"LD I1\nST Q1\n".into());
+        let before = Work::done();
+        for _ in 0..3 {
+            let ready = checked(&texts.open(written(&wording)), &wording, Shown::Here);
+            let ready = ready.unwrap().unwrap();
+            assert_eq!(ready.symbols().len(), 0);
+        }
+        assert_eq!(Work::since(before).compiles, 1);
+        let nano = wording.on(Board::NANO);
+        assert!(texts.open(written(&nano)).source().is_some());
+        assert_eq!(
+            Work::since(before).compiles,
+            2,
+            "another board, another version"
+        );
+    }
 }

@@ -15,7 +15,7 @@ use unoclp_program::{is_ours, shown};
 /// What may be overwritten.
 #[derive(Args, Clone, Copy)]
 pub struct Over {
-    /// Overwrite a file that is there, even if unoclp has not written it
+    /// Overwrite an existing file, even if unoclp has not written it
     #[arg(long)]
     force: bool,
 }
@@ -31,7 +31,7 @@ pub enum Kind {
     Program,
     /// A page for a browser.
     Page,
-    /// A moving picture (GIF).
+    /// An animated GIF.
     Film,
 }
 
@@ -119,7 +119,7 @@ pub fn write_new(path: &Path, content: &[u8]) -> anyhow::Result<()> {
 /// Whether a file takes something of this kind; the command reads `inputs`.
 ///
 /// # Errors
-/// If it stands there as one of the inputs, or is not unoclp's own, or cannot be read.
+/// If it is there as one of the inputs, or is not unoclp's own, or cannot be read.
 pub fn may_write(path: &Path, kind: Kind, inputs: &[&Path], over: Over) -> anyhow::Result<()> {
     if inputs.iter().any(|input| is_same(input, path)) {
         bail!(messages::is_read(shown(path)));

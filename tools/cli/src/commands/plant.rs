@@ -18,7 +18,7 @@ use unoclp_program::shown;
 /// What may be done with a plant alone.
 #[derive(Subcommand)]
 pub enum OfPlant {
-    /// Say what a plant has and asks, or every mistake with its line
+    /// Show the parts and the goals of a plant, or every mistake with its line
     Check {
         /// The plant (.toml)
         #[arg(value_name = "PLANT.toml")]
@@ -26,7 +26,7 @@ pub enum OfPlant {
         #[command(flatten)]
         wording: Wording,
     },
-    /// Draw a plant as it stands at first
+    /// Draw a plant as it is at first
     Draw {
         /// The plant (.toml)
         #[arg(value_name = "PLANT.toml")]
@@ -44,19 +44,19 @@ pub enum OfPlant {
 /// A machine that a program is to control.
 #[derive(Args)]
 pub struct Machine {
-    /// Let the program control this machine: goals and rules are judged
+    /// Let the program control this machine, and check its goals and rules
     #[arg(long, value_name = "PLANT.toml", conflicts_with = "scenario")]
     plant: Option<PathBuf>,
-    /// What chance begins with, in place of the plant's own
+    /// The seed of random events, instead of the plant's own
     #[arg(long, value_name = "N", requires = "plant")]
     seed: Option<u32>,
-    /// With --svg, the moments that are drawn, in place of those at which rules broke: 1s,2.5s,1min
+    /// With --svg, the moments to draw, instead of those of broken rules: 1s,2.5s,1min
     #[arg(long, value_name = "TIMES", requires = "plant")]
     at: Option<String>,
-    /// Write the run of the machine as a moving picture
+    /// Write the run of the machine as an animated GIF
     #[arg(long, value_name = "OUT.gif", requires = "plant")]
     gif: Option<PathBuf>,
-    /// The part of the run that the moving picture shows: 0s-12s
+    /// The part of the run that the animation shows: 0s-12s
     #[arg(long, value_name = "FROM-TO", requires = "gif")]
     span: Option<String>,
 }
@@ -144,7 +144,7 @@ fn moment(text: &str, until: u64) -> anyhow::Result<u64> {
     }
 }
 
-/// From when to when the moving picture goes, ms.
+/// From when to when the animation goes, ms.
 fn span(text: Option<&str>, until: u64) -> anyhow::Result<(u64, u64)> {
     let Some(text) = text else {
         return Ok((0, until));

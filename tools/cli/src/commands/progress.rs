@@ -1,4 +1,4 @@
-//! A line that changes, where somebody sees it.
+//! A line that changes, if somebody sees it.
 
 use anstream::eprint;
 use std::io::{IsTerminal, stderr};

@@ -1,4 +1,4 @@
-//! What is wrong with the arguments, in Portuguese; in English clap says it.
+//! Errors in the arguments, in Portuguese; clap has the English ones.
 
 use anstream::{eprint, print};
 use clap::Error;

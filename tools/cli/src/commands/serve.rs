@@ -18,7 +18,7 @@ pub struct Doors {
     /// Have the exercises and machines of this folder in the page too
     #[arg(long, value_name = "FOLDER")]
     exercises: Option<PathBuf>,
-    /// Share the boards of this site file, as it says
+    /// Share the boards of this site file
     #[arg(long, value_name = "SITE.toml", conflicts_with_all = ["http", "port", "address", "rate", "parity"])]
     site: Option<PathBuf>,
     #[command(flatten)]

@@ -1,6 +1,6 @@
 //! `unoclp sim`: by hand in this terminal, or by a scenario.
 
-use super::open::{Shown, check_written, open, read, running};
+use super::open::{Shown, checked, open, read, running};
 use super::output::{Draft, Kind, Over, cannot_write, may_write, write};
 use super::wording::Wording;
 use crate::outcome::Outcome;
@@ -11,14 +11,15 @@ use anyhow::{anyhow, bail};
 use std::collections::BTreeMap;
 use std::io::{BufWriter, IsTerminal, Write, stdin, stdout};
 use std::path::Path;
-use unoclp_core::Board;
+use unoclp_core::Fault;
 use unoclp_exercise::diagram;
 use unoclp_exercise::scenario::{
     Both, Exercise, LoadError, ProgramFile, Report, Scenario, Verdict, check,
 };
 use unoclp_exercise::wave::{RecordedEngine, Recorder};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_program::{Source, Written, WrittenIn, point_names, shown};
+use unoclp_program::{Written, WrittenIn, shown};
+use unoclp_workspace::{Ready, Workspace};
 
 /// Simulates a program in this terminal.
 pub fn simulate(path: &Path, vcd: Option<&Path>, over: Over, wording: &Wording) -> Outcome {
@@ -28,12 +29,12 @@ pub fn simulate(path: &Path, vcd: Option<&Path>, over: Over, wording: &Wording) 
     if !(stdin().is_terminal() && stdout().is_terminal()) {
         bail!(messages::sim_needs_terminal());
     }
-    let names = point_names(&program);
-    let mut app = App::new(program);
+    let mut app =
+        App::new(program.clone()).map_err(|fault| anyhow!(messages::fault(fault.cause)))?;
     let draft = vcd.map(|vcd| Draft::new(vcd, Kind::Trace, &[path], over));
     let draft = draft.transpose()?;
     if let (Some(vcd), Some(draft)) = (vcd, &draft) {
-        app.record_to(Recorder::new(trace(draft, vcd)?).with_names(names));
+        app.record_to(Recorder::new(trace(draft, vcd)?).with_names(program.symbols().clone()));
     }
     panel::run(app)?;
     draft.map_or(Ok(()), Draft::finish)?;
@@ -59,6 +60,7 @@ pub struct Run<'a> {
 pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
     let wrong = |error: LoadError| anyhow!(error.text(messages::spoken()));
     let exercise = Exercise::load(path, wording.board()).map_err(wrong)?;
+    let wording = &wording.on(exercise.board);
     let named = exercise.program.as_deref();
     let program = match (run.program, named) {
         (Some(program), _) => Some(program),
@@ -66,7 +68,8 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
         (None, Some(named)) if is_text(named, wording) => Some(named),
         (None, _) => None,
     };
-    let mut source = None;
+    let mut texts = wording.workspace();
+    let mut source: Option<Ready> = None;
     let mut scenarios = match program {
         None => Scenario::load_all(path, wording.board()).map_err(wrong)?,
         Some(program) => {
@@ -75,8 +78,8 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
             // Numeric code is run as it is: a scenario may expect a fault of it.
             let bytes = match written.language {
                 Ok(WrittenIn::Numeric) => bytes,
-                _ => match check_written(written, wording, Shown::Here)? {
-                    Some(checked) => source.insert(checked).code.clone(),
+                _ => match checked(&texts.open(written), wording, Shown::Here)? {
+                    Some(ready) => source.insert(ready).code.clone(),
                     None => return Ok(false),
                 },
             };
@@ -100,7 +103,8 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
     }
     let reports = match (run.vcd, &scenarios[..]) {
         (Some(vcd), [scenario]) => {
-            let names = source.as_ref().map(point_names).unwrap_or_default();
+            let names = source.as_ref().map(|source| source.symbols().clone());
+            let names = names.unwrap_or_default();
             let draft = Draft::new(vcd, Kind::Trace, &inputs, run.over)?;
             let recorder = Recorder::new(trace(&draft, vcd)?).with_names(names);
             let mut engine = RecordedEngine::new(recorder, wording.board());
@@ -119,7 +123,13 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
             println!();
         }
         println!("{}", ascii::picture(&report.text(messages::spoken())));
-        stopped_at(report, &scenarios[index], source.as_ref(), wording.board());
+        let fault = wrong_stop(report);
+        let own = || opened(&scenarios[index], &mut texts, wording);
+        if let Some(fault) = fault
+            && let Some(program) = source.clone().or_else(own)
+        {
+            println!("  {}", running(&program, fault).replace('\n', "\n  "));
+        }
     }
     if let Some(svg) = run.svg {
         let runs = scenarios.iter().zip(&reports);
@@ -135,29 +145,28 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
 }
 
 /// What the points are called: by the exercise, else by the program.
-fn names(names: BTreeMap<String, Both>, source: Option<&Source>) -> BTreeMap<String, Both> {
-    let own = source.map(point_names).unwrap_or_default();
-    let own = own
-        .into_iter()
-        .map(|(point, name)| (point, Both::same(&name)));
+fn names(names: BTreeMap<String, Both>, source: Option<&Ready>) -> BTreeMap<String, Both> {
+    let own = source.map(Ready::symbols).into_iter().flatten();
+    let own = own.map(|(point, name)| (point.clone(), Both::same(name)));
     own.chain(names).collect()
 }
 
-/// Shows where in its text a program has ended that should run on.
-fn stopped_at(report: &Report, scenario: &Scenario, source: Option<&Source>, board: Board) {
-    let Verdict::WrongStop {
-        came: Some((_, refusal)),
-        ..
-    } = report.verdict
-    else {
-        return;
-    };
-    let program = scenario.program();
-    let read = || Written::new(program.name.clone(), program.bytes.clone(), board).check(None);
-    let own = source.is_none().then(|| read().ok()).flatten();
-    if let (Some(source), Some(fault)) = (source.or(own.as_ref()), refusal.fault()) {
-        println!("  {}", running(source, fault).replace('\n', "\n  "));
+/// The fault that has ended a program that should run on.
+fn wrong_stop(report: &Report) -> Option<Fault> {
+    match report.verdict {
+        Verdict::WrongStop {
+            came: Some((_, refusal)),
+            ..
+        } => refusal.fault(),
+        _ => None,
     }
+}
+
+/// The program of a scenario, if it is one.
+fn opened(scenario: &Scenario, texts: &mut Workspace, wording: &Wording) -> Option<Ready> {
+    let ProgramFile { name, bytes } = scenario.program();
+    let written = Written::new(name.clone(), bytes.clone(), wording.board());
+    texts.open(written).ready()
 }
 
 /// Whether the program of a scenario is a text that is compiled.

@@ -14,7 +14,7 @@ use unoclp_site::{Site, Store, duration, plan};
 /// What may be done with a site file.
 #[derive(Subcommand)]
 pub enum OfSite {
-    /// Say what a gateway would do by it, or every mistake with its line
+    /// Say what a gateway would do with it, or every mistake with its line
     Check {
         /// The site file (.toml)
         #[arg(value_name = "SITE.toml")]
@@ -25,11 +25,11 @@ pub enum OfSite {
         /// The site file (.toml), with the database under [history]
         #[arg(value_name = "SITE.toml")]
         site: PathBuf,
-        /// The file in which the history was until now
+        /// The file of the history until now
         #[arg(value_name = "HISTORY.db")]
         from: PathBuf,
     },
-    /// Make a token for a user, and the key that the site file has of it
+    /// Make a token for a user, and its key for the site file
     Key {
         /// The user: a letter, then letters, digits, - or _
         #[arg(value_name = "NAME")]
@@ -38,7 +38,7 @@ pub enum OfSite {
         #[arg(long, default_value = "operate", value_parser = ["watch", "operate", "engineer"])]
         role: String,
     },
-    /// Print what a point was, for a spreadsheet: comma-separated values
+    /// Print the history of a point for a spreadsheet: comma-separated values
     History {
         #[command(flatten)]
         asked: Asked,

@@ -2,7 +2,7 @@
 
 use super::interrupt::{Interrupt, Interrupted};
 use super::meet;
-use super::open::{Shown, check_written, faulty, read, running};
+use super::open::{Shown, checked, faulty, read, running};
 use super::progress::{hide, show};
 use super::wording::Wording;
 use crate::messages;
@@ -21,7 +21,8 @@ use unoclp_client::upload::{self, Behind, Broken, FIRST_SCANS, Progress, end};
 use unoclp_client::watch::Forced;
 use unoclp_core::Board;
 use unoclp_exercise::scenario::ProgramFile;
-use unoclp_program::{Source, not_sent};
+use unoclp_program::not_sent;
+use unoclp_workspace::Ready;
 
 /// How the board is left.
 #[derive(Args)]
@@ -38,20 +39,21 @@ pub struct Leave {
 pub fn upload(path: &Path, place: &Place, leave: &Leave, wording: &Wording) -> Outcome {
     let ProgramFile { name, bytes } = read(path)?;
     let written = |wording: &Wording| wording.of(name.clone(), bytes.clone());
-    let is_right = |wording: &Wording| written(wording).check(wording.dialect).is_ok();
+    let mut texts = wording.workspace();
+    let mut opened = |wording: &Wording| texts.open(written(wording));
     let mut wording = wording.clone();
     let mut met = None;
     // A program that is too much for an UNO may be right for the board that is there.
     let mut others = Board::ALL.into_iter().filter(Board::has_firmware);
     if !wording.names_board()
-        && !is_right(&wording)
-        && others.any(|board| is_right(&wording.on(board)))
+        && opened(&wording).source().is_none()
+        && others.any(|board| opened(&wording.on(board)).source().is_some())
     {
         let port = meet(place)?;
         wording = wording.on(port.board());
         met = Some(port);
     }
-    let Some(mut program) = check_written(written(&wording), &wording, Shown::Here)? else {
+    let Some(mut program) = checked(&opened(&wording), &wording, Shown::Here)? else {
         return Ok(false);
     };
     if let Some(why) = not_sent(&program, messages::spoken()) {
@@ -64,7 +66,7 @@ pub fn upload(path: &Path, place: &Place, leave: &Leave, wording: &Wording) -> O
     };
     if port.board() != wording.board() {
         wording = wording.on(port.board());
-        match check_written(written(&wording), &wording, Shown::Here)? {
+        match checked(&opened(&wording), &wording, Shown::Here)? {
             Some(again) => {
                 program = again;
                 say!("{}: OK: {}", program.name, messages::size(&program.size));
@@ -97,7 +99,7 @@ pub fn upload(path: &Path, place: &Place, leave: &Leave, wording: &Wording) -> O
 struct Upload {
     port: Port,
     interrupt: Interrupt,
-    program: Source,
+    program: Ready,
     /// What the board has stored of it.
     stored: Cell<Option<Kept>>,
 }

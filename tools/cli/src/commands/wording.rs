@@ -3,9 +3,11 @@
 use crate::messages;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use std::rc::Rc;
 use unoclp_core::Board;
 use unoclp_lang::{Dialect, Lang};
 use unoclp_program::{Language, Written, WrittenIn};
+use unoclp_workspace::{All, Workspace};
 
 /// How to read a program.
 #[derive(Args, Clone)]
@@ -71,6 +73,13 @@ impl Wording {
     /// A file of this name, in the language that it is said to be in or else shows.
     pub fn of(&self, name: String, bytes: Vec<u8>) -> Written {
         Written::new(name, bytes, self.board()).or_in(self.language)
+    }
+
+    /// For the texts that a command opens: each is compiled once, however often it is asked for.
+    pub fn workspace(&self) -> Workspace {
+        Workspace::new(Rc::new(All {
+            dialect: self.dialect,
+        }))
     }
 
     /// What a text was taken to be; nothing of numeric code.

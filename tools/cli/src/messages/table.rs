@@ -16,10 +16,10 @@ unoclp_words::messages! {
         "{file} é o arquivo de entrada; indique outro para gravar";
     is_compiled(file)
         "{file} is the source; name another output file with -o"
-        "{file} é o próprio texto a compilar; indique outro arquivo com -o";
+        "{file} é o arquivo-fonte; indique outro arquivo com -o";
     is_there(file)
-        "{file} already exists, and nothing is written over it; name another output file"
-        "{file} já existe, e nada é escrito por cima dele; indique outro arquivo de saída";
+        "{file} already exists and is not overwritten; name another output file"
+        "{file} já existe e não será sobrescrito; indique outro arquivo de saída";
     not_adapted(file)
         "{file} is not Instruction List, Structured Text or PLCopen XML: only there are points written as %QX1.3"
         "{file} não é Lista de Instruções, Texto Estruturado nem PLCopen XML: só neles os pontos se escrevem como %QX1.3";
@@ -27,8 +27,8 @@ unoclp_words::messages! {
         "no editor speaks here: {why}. An editor starts this command itself; docs/editors.md says how"
         "nenhum editor fala aqui: {why}. O próprio editor inicia este comando; docs/editors.pt-BR.md explica como";
     can_be_adapted(file, points, board)
-        "unoclp adapt {file} -o COPY writes a copy that gives {points} free points of the {board}"
-        "unoclp adapt {file} -o COPIA escreve uma cópia que dá a {points} pontos livres do {board}";
+        "unoclp adapt {file} -o COPY writes a copy that moves {points} to free points of the {board}"
+        "unoclp adapt {file} -o COPIA grava uma cópia que passa {points} para pontos livres do {board}";
     nothing_to_adapt(board)
         "the {board} has all points of this text; there is no copy"
         "o {board} tem todos os pontos deste texto; não há cópia";
@@ -74,8 +74,8 @@ unoclp_words::messages! {
         "{place}: calls are nested too deeply here; split the expression"
         "{place}: há chamadas demais umas dentro das outras; divida a expressão";
     codes_of_a_board(place)
-        "{place}: only a board runs codes of CODE; run the program with unoclp sim"
-        "{place}: só uma placa executa códigos de CODE; rode o programa com unoclp sim";
+        "{place}: only a board runs the codes after CODE; run the program with unoclp sim"
+        "{place}: só uma placa executa os códigos depois de CODE; rode o programa com unoclp sim";
     not_computed(place)
         "{place}: this value could not be computed, and S 04 was set: division by 0, overflow, or a subscript out of range"
         "{place}: não foi possível calcular este valor, e S 04 foi ligado: divisão por 0, estouro ou índice fora da faixa";
@@ -124,7 +124,7 @@ unoclp_words::messages! {
         "{file}: `form` is {form}, and this unoclp reads {due}; use the unoclp of the same version as the page"
         "{file}: `form` é {form}, e este unoclp lê {due}; use o unoclp da mesma versão que a página";
     says_passed(file)
-        "{file}: the hand-in says that it passed, and it did not; what counts is the table"
+        "{file}: the hand-in claims to have passed, but it did not; the table counts"
         "{file}: a entrega diz que passou, e não passou; o que vale é a tabela";
     moodle_identifier() "Identifier" "Identificador";
     moodle_name() "Full name" "Nome completo";
@@ -151,7 +151,7 @@ unoclp_words::messages! {
     fault_not_found(tries) "not found in {tries} tries" "não encontrada em {tries} tentativas";
     grade_failing() "first failing case" "primeiro caso que falha";
     passed() "passed" "passou";
-    not_compiled() "no program that runs" "não é um programa que rode";
+    not_compiled() "does not compile" "não compila";
     in_line(line, message) "line {line}: {message}" "linha {line}: {message}";
     programs_passed(exercise, passed, programs)
         "{exercise}: {passed} of {programs} passed"
@@ -245,7 +245,7 @@ unoclp_words::messages! {
     restarting(settings) "{settings}; restarting" "{settings}; reiniciando";
     answers_from(line) "it answers from {line}" "ela responde: {line}";
     not_for(board)
-        "the {board} at the port does not have all that the program needs; nothing was sent"
+        "the {board} at the port lacks something that the program needs; nothing was sent"
         "a placa {board} na porta não tem tudo o que o programa usa; nada foi enviado";
     met(identity, port, address)
         "{identity} at {port}, address {address}"
@@ -391,11 +391,11 @@ unoclp_words::messages! {
         "alarm {name}: acknowledged by {who}"
         "alarme {name}: reconhecido por {who}";
     record_foreign(file)
-        "{file} is not a record of unoclp, and was not changed; move it away"
-        "{file} não é um livro de ocorrências do unoclp e não foi alterado; tire-o dali";
+        "{file} is not a record of unoclp, and was not changed; move it elsewhere"
+        "{file} não é um livro de ocorrências do unoclp e não foi alterado; mova-o para outro lugar";
     record_version(file, version)
-        "{file} is a record of a later version of unoclp (form {version}), and was not changed; use that version, or move the file away"
-        "{file} é um livro de ocorrências de uma versão mais nova do unoclp (forma {version}) e não foi alterado; use essa versão ou tire o arquivo dali";
+        "{file} is a record of a later version of unoclp (form {version}), and was not changed; use that version, or move the file elsewhere"
+        "{file} é um livro de ocorrências de uma versão mais nova do unoclp (forma {version}) e não foi alterado; use essa versão ou mova o arquivo para outro lugar";
     record_full(file)
         "{file} cannot grow: the disk is full. New entries wait in memory; free some space"
         "{file} não pode crescer: o disco está cheio. As novas entradas esperam na memória; libere espaço";
@@ -433,8 +433,8 @@ unoclp_words::messages! {
     board_says(trouble) "the board reports {trouble}" "a placa diz: {trouble}";
     interrupted() "interrupted" "interrompido";
     watcher_ended()
-        "the thread that reads the board has ended"
-        "a tarefa que lê a placa terminou";
+        "unoclp stopped reading the board; start the monitor again"
+        "o unoclp parou de ler a placa; inicie o monitor de novo";
     card_is_there(file)
         "{file} exists, and unoclp overwrites only PROGRAM.TXT on a card; name a new image file, or the folder of a mounted card"
         "{file} já existe, e o unoclp só grava por cima do PROGRAM.TXT de um cartão; indique um novo arquivo de imagem ou a pasta de um cartão montado";
@@ -527,12 +527,12 @@ unoclp_words::messages! {
         "{given} is not a part of a run; write its start and end, 0s-12s"
         "{given} não é um trecho da execução; escreva o começo e o fim, 0s-12s";
     no_film(why)
-        "the moving picture cannot be made: {why}"
-        "não foi possível fazer a imagem animada: {why}";
+        "the animation cannot be made: {why}"
+        "não foi possível fazer a animação: {why}";
     built_without_gif()
-        "this unoclp is built without moving pictures"
-        "este unoclp foi compilado sem imagens animadas";
-    a_film() "a moving picture (GIF)" "uma imagem animada (GIF)";
+        "this unoclp was built without animations"
+        "este unoclp foi compilado sem animações";
+    a_film() "an animated GIF" "um GIF animado";
     rules_kept(kept, rules, met, goals)
         "rules kept: {kept} of {rules}; goals met: {met} of {goals}"
         "regras cumpridas: {kept} de {rules}; metas atingidas: {met} de {goals}";
@@ -595,8 +595,16 @@ unoclp_words::messages! {
     paused() "PAUSED" "PAUSA";
     ran(ms, scans) "{ms} ms  {scans} scans " "{ms} ms  {scans} varreduras ";
     sim_keys(run, view, mode, more)
-        " q quit  space {run}  s scan  r restart  v {view}  m {mode}{more}  ↑↓ scroll"
-        " q sai  espaço {run}  s varre  r reset  v {view}  m {mode}{more}  ↑↓ rola";
+        " q quit  space {run}  s scan  r restart  v {view}  m {mode}{more}  e slow  ↑↓ scroll"
+        " q sai  espaço {run}  s varre  r reset  v {view}  m {mode}{more}  e lento  ↑↓ rola";
+    slow_keys()
+        " e element  g rung  l line  s end of scan  b breakpoint  space go on  q quit"
+        " e elemento  g degrau  l linha  s fim da varredura  b parada  espaço segue  q sai";
+    slow_next(line, acc, value, stack)
+        "next line {line}  acc {acc}  value {value}{stack}"
+        "próxima linha {line}  acc {acc}  valor {value}{stack}";
+    slow_last(acc, value, stack) "end of the scan  acc {acc}  value {value}{stack}" "fim da varredura  acc {acc}  valor {value}{stack}";
+    slow_stack(values) "  stack {values}" "  pilha {values}";
     pause() "pause" "pausa";
     run() "run" "roda";
     stop() "stop" "para";

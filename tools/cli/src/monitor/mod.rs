@@ -2,7 +2,7 @@
 //!
 //! - `watcher`: the thread that reads the board, and finds it again when it is lost
 //! - `app`: what is shown, and which keys ask what of the board; knows no terminal and no port
-//! - `program`: the program file that the board shall run
+//! - `program`: the program file that the board should run
 //! - `view`: from the app to the screen
 //! - `run`: the loop of frames, key events and news
 

@@ -1,27 +1,23 @@
-//! The program file that the board shall run: what a board does not tell of it.
+//! The program file that the board should run: what a board does not tell of it.
 
 use crate::panel::Drawn;
 use crate::variables::Variables;
 use std::collections::BTreeMap;
-use unoclp_checked::SourceMap;
 use unoclp_client::diagnostics::{Kept, Trouble};
 use unoclp_client::watch::{Reading, Scope};
-use unoclp_core::Delay;
+use unoclp_core::{Delay, Fault};
 use unoclp_exercise::live::{Flow, Twin};
 use unoclp_host_sim::engine::Machine;
 use unoclp_point::Address;
 use unoclp_program::used::Used;
-use unoclp_program::{Source, point_names};
+use unoclp_workspace::Ready;
 
 /// A program, to show a board's timers, counters and rungs by.
 pub struct Program {
-    /// What it is called.
-    pub(super) name: String,
+    program: Ready,
     /// How a board keeps it.
     pub(super) kept: Kept,
     pub(super) drawn: Drawn,
-    /// Where its steps stand in its text.
-    map: SourceMap,
     /// What each timer does.
     pub(super) timers: Vec<Delay>,
     counters: u16,
@@ -30,37 +26,29 @@ pub struct Program {
     twin: Twin,
     /// The outputs that it writes, bit 0 output 01.
     pub(super) written: u32,
-    /// What it uses of the board.
-    pub(super) used: Used,
     /// Its variables, if its language declares them.
     pub(super) variables: Variables,
-    /// What it calls its points.
-    pub(super) names: BTreeMap<String, String>,
-    /// Its text, line by line.
-    text: Vec<String>,
 }
 
 impl Program {
     /// A program whose text is known.
-    pub fn new(program: Source) -> Program {
+    ///
+    /// # Errors
+    /// None that the program did not have before.
+    pub fn new(program: Ready) -> Result<Program, Fault> {
         let kept = Kept::of(program.program());
         let registers = program.program().registers() as u16;
         let drawn = Drawn::new(&program);
-        let names = point_names(&program);
-        let machine = Machine::new(program.checked);
+        let machine = Machine::new(program.checked.copy()?);
         let plc = machine.plc();
-        let used = program.size.used;
+        let used = &program.size.used;
         let outputs = used.outputs.iter().chain(&used.pwm);
         let written = outputs.fold(0, |bits, output| bits | 1 << (output - 1));
-        Program {
+        Ok(Program {
             written,
-            used,
-            names,
             variables: Variables::new(&program.variables),
-            text: program.text.lines().map(str::to_owned).collect(),
             kept,
             drawn,
-            map: program.map,
             timers: plc
                 .steps()
                 .filter_map(|step| Delay::of(step.opcode))
@@ -68,8 +56,23 @@ impl Program {
             counters: plc.counters().count() as u16,
             registers,
             twin: Twin::new(machine),
-            name: program.name,
-        }
+            program,
+        })
+    }
+
+    /// What it is called.
+    pub(super) fn name(&self) -> &str {
+        &self.program.name
+    }
+
+    /// What it calls its points.
+    pub(super) fn names(&self) -> &BTreeMap<String, String> {
+        self.program.symbols()
+    }
+
+    /// What it uses of the board.
+    pub(super) fn used(&self) -> &Used {
+        &self.program.size.used
     }
 
     /// What the program does on the board at the moment: a scan from what was read. Edges are those from reading
@@ -84,7 +87,7 @@ impl Program {
         if !trouble.is_of_the_run() {
             return trouble;
         }
-        let place = trouble.line.and_then(|line| self.map.of_code(line));
+        let place = trouble.line.and_then(|line| self.program.map.of_code(line));
         let line = place.map_or(trouble.line, |place| Some(place.line as u32));
         Trouble { line, ..trouble }
     }
@@ -92,8 +95,12 @@ impl Program {
     /// Where a fault of this program stands, if [`in_text`](Program::in_text) has given it a line: `lamp.il:12: JMPC loop`.
     pub(super) fn stands(&self, trouble: Trouble) -> Option<String> {
         let line = trouble.line.filter(|_| trouble.is_of_the_run())?;
-        let text = self.text.get((line as usize).checked_sub(1)?)?;
-        Some(format!("{}:{line}: {}", self.name, text.trim()))
+        let text = self
+            .program
+            .text
+            .lines()
+            .nth((line as usize).checked_sub(1)?)?;
+        Some(format!("{}:{line}: {}", self.name(), text.trim()))
     }
 
     /// How much of a board there is to read for it.

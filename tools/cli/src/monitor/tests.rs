@@ -18,21 +18,22 @@ use unoclp_client::watch::{Forces, Meter, Reading, Side};
 use unoclp_core::{After, Image, Inputs};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::random::Random;
-use unoclp_program::{Source, Written, load};
+use unoclp_program::{Written, load};
+use unoclp_workspace::{Ready, Workspace};
 
 /// I1 sets Q1 through a TON of 20 ms; a counter of I2 sets Q2.
 const PROGRAM: &str = "0\n787600\n827301\n847978\n20\n7901\n787600\n827302\n67848501\n3\n877902\n";
 
 /// A program that is right, of this name and text.
-fn source(name: &str, text: &str) -> Source {
+fn source(name: &str, text: &str) -> Ready {
     let written = Written::new(name.to_owned(), text.into(), unoclp_core::Board::UNO);
-    written
-        .check(None)
-        .unwrap_or_else(|refused| panic!("{refused:?}"))
+    let analysis = Workspace::default().open(written);
+    let refused = || panic!("{:?}", analysis.check());
+    analysis.ready().unwrap_or_else(refused)
 }
 
 fn program() -> Program {
-    Program::new(source("motor.txt", PROGRAM))
+    Program::new(source("motor.txt", PROGRAM)).unwrap()
 }
 
 /// A board that runs the program.
@@ -368,7 +369,7 @@ fn a_board_with_another_stored_form_is_not_said_to_run_another_program() {
 fn rungs_scroll() {
     let rungs = "787600\n827301\n877901\n".repeat(40);
     let file = format!("0\n{rungs}");
-    let program = Program::new(source("long.txt", &file));
+    let program = Program::new(source("long.txt", &file)).unwrap();
     let mut reading = reading();
     reading.diagnostics.program = program.kept;
     let mut app = app(Some(program));
@@ -410,7 +411,7 @@ const RICH: &str = "0\n\
 fn what_is_energised_is_what_the_boards_own_scan_has_made_so() {
     let text = RICH.replace(' ', "");
     let mut board = Machine::new(load(text.as_bytes(), unoclp_core::Board::UNO).unwrap());
-    let mut program = Program::new(source("rich.txt", &text));
+    let mut program = Program::new(source("rich.txt", &text)).unwrap();
     let mut random = Random::new(7);
     let mut inputs = Image(0);
     let mut compared = 0;
@@ -467,7 +468,7 @@ fn what_is_energised_is_what_the_boards_own_scan_has_made_so() {
 #[test]
 fn instruction_list_is_shown_as_text_or_as_rungs() {
     let text = "VAR\n    button AT %IX1 : BOOL;\nEND_VAR\nLD button\nANDN I2\nST Q1\n";
-    let program = Program::new(source("lamp.il", text));
+    let program = Program::new(source("lamp.il", text)).unwrap();
     let mut reading = reading();
     reading.diagnostics.program = program.kept;
     let mut app = app(Some(program));
@@ -494,7 +495,7 @@ fn a_fault_of_the_running_program_names_the_line_of_the_text() {
     let jump = program.map.steps.last().unwrap().codes.clone();
     assert_ne!(jump, 5..=5);
     let kept = Kept::of(program.program());
-    let mut app = app(Some(Program::new(program)));
+    let mut app = app(Some(Program::new(program).unwrap()));
     let mut shown = |kept, number| {
         let mut reading = reading();
         reading.diagnostics.program = kept;
@@ -614,7 +615,7 @@ fn an_output_that_no_rung_writes_is_said_to_stay_on_when_it_is_let_go() {
 fn a_fault_shows_the_line_of_the_text() {
     let source = source("loops.il", "again:\nLD I1\nST Q1\nJMP again\n");
     let jump = source.map.steps.last().unwrap().codes.clone();
-    let program = Program::new(source);
+    let program = Program::new(source).unwrap();
     let mut faulty = reading();
     faulty.diagnostics.program = program.kept;
     faulty.diagnostics.state = Some(State::Fault);
@@ -634,12 +635,13 @@ fn a_screen_of_80_by_24_shows_a_program_and_its_values() {
     let head = "VAR\n level AT %MW1 : INT;\n alarm AT %QX1 : BOOL;\nEND_VAR\n";
     let rung = "LD level\nADD 1\nST level\nLD level\nGT 500\nST alarm\n";
     let source = source("tank.il", &format!("{head}{}", rung.repeat(5)));
-    let register = unoclp_program::point_names(&source)
-        .into_iter()
+    let register = source
+        .symbols()
+        .iter()
         .find_map(|(point, name)| (name == "level").then_some(point))
         .unwrap();
     let index: usize = register[1..].parse().unwrap();
-    let program = Program::new(source);
+    let program = Program::new(source).unwrap();
     let mut now = reading();
     now.diagnostics.program = program.kept;
     now.registers[index - 1] = 420;
@@ -660,7 +662,7 @@ fn a_screen_of_80_by_24_shows_a_program_and_its_values() {
 fn lamps_have_names_and_lines_their_values() {
     let text = "VAR\n start AT %IX1 : BOOL;\n lamp AT %QX2 : BOOL;\n level AT %MW1 : INT;\nEND_VAR\n\
                 LD start\nST lamp\nLD level\nADD 3\nST MW2\n";
-    let program = Program::new(source("named.il", text));
+    let program = Program::new(source("named.il", text)).unwrap();
     let kept = program.kept;
     let mut app = app(Some(program));
     app.hear(News::Read(Box::new(Reading {

@@ -3,6 +3,7 @@
 use super::app::App;
 use super::program::{Program, read};
 use crate::lamps::{Lamp, Lamps, Sides};
+use crate::panel::Marked;
 use crate::variables::lines;
 use crate::{messages, screen};
 use ratatui::Frame;
@@ -131,7 +132,7 @@ fn header(app: &App, frame: &mut Frame, area: Rect) {
     let right = Line::raw(format!("{state} "));
     let at = messages::at(&app.identity, &app.place);
     let name = match &app.program {
-        Some(program) => format!(" {}  {at}", program.name),
+        Some(program) => format!(" {}  {at}", program.name()),
         None => format!(" {at}"),
     };
     let widths = [
@@ -195,7 +196,7 @@ fn lamps(app: &App, letter: char, count: u8, image: u32, forces: Forces) -> Lamp
             " "
         };
         Lamp {
-            name: program.and_then(|program| program.names.get(&point).cloned()),
+            name: program.and_then(|program| program.names().get(&point).cloned()),
             shown: vec![
                 Span::raw(format!(" {point}")),
                 lamp(image >> index & 1 != 0),
@@ -255,7 +256,7 @@ fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
     let is_other = app.differs() && !board.waits_for_program();
     if let Some(program) = app.program.as_ref().filter(|_| is_other) {
         warn(messages::another_program(
-            &program.name,
+            program.name(),
             board.program.bytes,
             format!("{:04X}", board.program.sum),
             program.kept.bytes,
@@ -313,8 +314,8 @@ fn memory(reading: &Reading, width: u16) -> Vec<Line<'static>> {
 
 /// What this program uses, by the names that it gives, and what else is not 0.
 fn memory_of(program: &Program, reading: &Reading, width: u16) -> Vec<Line<'static>> {
-    let used = &program.used;
-    let called = |point: String| program.names.get(&point).unwrap_or(&point).clone();
+    let used = program.used();
+    let called = |point: String| program.names().get(&point).unwrap_or(&point).clone();
     let bit = |number: u8| reading.markers.unwrap_or_default() >> (number - 1) & 1 != 0;
     let markers = (1..=64).filter(|number| used.markers.contains(number) || bit(*number));
     let markers = markers.filter(|_| reading.markers.is_some()).map(|number| {
@@ -351,7 +352,7 @@ fn meters(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
     };
     let timers = reading.timers.iter().zip(&program.timers).zip(1..);
     let called = |point: String| -> String {
-        let name = program.names.get(&point).unwrap_or(&point);
+        let name = program.names().get(&point).unwrap_or(&point);
         name.chars().take(LONGEST_NAME).collect()
     };
     let timers = timers.map(|((meter, delay), n)| {
@@ -397,9 +398,12 @@ fn rungs(app: &mut App, frame: &mut Frame, area: Rect) {
             .as_ref()
             .and_then(|reading| read(reading, point))
     };
-    let lines = program
-        .drawn
-        .lines(&app.flow, usize::from(area.width), read);
+    let lines = program.drawn.lines(
+        &app.flow,
+        (None, &Marked::default()),
+        usize::from(area.width),
+        read,
+    );
     let what = program.drawn.title(read);
     let height = usize::from(area.height.saturating_sub(1));
     app.page = height.saturating_sub(1).max(1);

@@ -5,21 +5,21 @@ use super::analogue::Knobs;
 use super::buttons::{Buttons, KeyUp};
 use super::drawn::Drawn;
 use super::memory::spans;
+use super::slow::{self, Places, Slow, Standing, To};
 use crate::messages;
 use crate::variables::Variables;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use ratatui::text::Span;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use std::time::Duration;
-use unoclp_checked::SourceMap;
 use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
 use unoclp_exercise::live::Flow;
 use unoclp_exercise::wave::{Recorder, Sample};
 use unoclp_host_sim::engine::Machine;
 use unoclp_point::Address;
 use unoclp_program::used::Used;
-use unoclp_program::{Source, point_names};
+use unoclp_workspace::Ready;
 
 /// Virtual time from scan to scan.
 const SCAN: Duration = Duration::from_millis(1);
@@ -39,22 +39,13 @@ const MOST_BEHIND: Duration = Duration::from_millis(250);
 
 /// The simulator: a program that runs, and what a person does to it.
 pub struct App {
-    /// What the program is called.
-    pub(super) name: String,
+    program: Ready,
     machine: Machine,
-    /// What the program uses.
-    used: Used,
     pub(super) drawn: Drawn,
     /// The line that a fault names, in the text of the program.
     pub(super) fault_line: Option<usize>,
-    /// Where its steps stand in its text.
-    map: SourceMap,
-    /// Its text, line by line.
-    text: Vec<String>,
     /// Its variables, if its language declares them.
     pub(super) variables: Variables,
-    /// What it calls its points.
-    pub(super) names: BTreeMap<String, String>,
     /// What the last scan did.
     pub(super) flow: Flow,
     pub(super) buttons: Buttons,
@@ -64,6 +55,11 @@ pub struct App {
     /// Scans since the start, which is also the time in ms of the scan that comes next.
     pub(super) scans: u64,
     pub(super) running: bool,
+    /// The scan that stands in slow motion.
+    slow: Option<Slow>,
+    /// Steps before which it stops.
+    breaks: BTreeSet<usize>,
+    places: Places,
     pub(super) scroll: Scroll,
     /// The page of the timers, counted from 0.
     pub(super) timer_page: usize,
@@ -81,25 +77,26 @@ pub struct App {
 
 impl App {
     /// A simulator that runs this program from now on.
-    pub fn new(program: Source) -> App {
+    ///
+    /// # Errors
+    /// None that the program did not have before.
+    pub fn new(program: Ready) -> Result<App, Fault> {
         let drawn = Drawn::new(&program);
-        let names = point_names(&program);
-        let machine = Machine::new(program.checked);
-        App {
-            name: program.name,
+        let places = Places::new(&program);
+        Ok(App {
+            machine: Machine::new(program.checked.copy()?),
             knobs: Knobs::new(program.size.used.analogue.iter().copied()),
-            used: program.size.used,
             fault: None,
             fault_line: None,
-            names,
             variables: Variables::new(&program.variables),
-            map: program.map,
-            text: program.text.lines().map(str::to_owned).collect(),
-            machine,
+            program,
             flow: Flow::default(),
             buttons: Buttons::new(KeyUp::Guessed),
             scans: 0,
             running: true,
+            slow: None,
+            breaks: BTreeSet::new(),
+            places,
             scroll: Scroll::to(drawn.home()),
             drawn,
             timer_page: 0,
@@ -109,7 +106,22 @@ impl App {
             quit: false,
             recorder: None,
             recorded: 0,
-        }
+        })
+    }
+
+    /// What the program is called.
+    pub(super) fn name(&self) -> &str {
+        &self.program.name
+    }
+
+    /// What it calls its points.
+    pub(super) fn names(&self) -> &BTreeMap<String, String> {
+        self.program.symbols()
+    }
+
+    /// What it uses.
+    fn used(&self) -> &Used {
+        &self.program.size.used
     }
 
     /// Records every scan from now on.
@@ -136,13 +148,15 @@ impl App {
     pub(super) fn faulty(&self) -> Option<[String; 2]> {
         let cause = messages::fault(self.fault?.cause);
         let line = self.fault_line.unwrap_or_default();
-        let text = line.checked_sub(1).and_then(|index| self.text.get(index));
+        let text = line
+            .checked_sub(1)
+            .and_then(|index| self.program.text.lines().nth(index));
         Some(match text {
             Some(text) => [
-                format!("{}:{line}: {cause}", self.name),
+                format!("{}:{line}: {cause}", self.name()),
                 text.trim().to_owned(),
             ],
-            None => [format!("{}: {cause}", self.name), String::new()],
+            None => [format!("{}: {cause}", self.name()), String::new()],
         })
     }
 
@@ -153,7 +167,7 @@ impl App {
 
     /// The inputs that have buttons, from 01 to this number: those from 05 on only where the program reads them.
     pub(super) fn inputs(&self) -> u8 {
-        match self.used.inputs.last() {
+        match self.used().inputs.last() {
             Some(&last) if last > FIRST_INPUTS => {
                 let buttons = last.max(MORE_INPUTS);
                 buttons.min(self.machine.plc().board().inputs)
@@ -164,23 +178,23 @@ impl App {
 
     /// The outputs that have lamps, from 01 to this number: those from 05 on only where the program names them.
     pub(super) fn outputs_shown(&self) -> u8 {
-        let last = self.used.outputs.last().max(self.used.pwm.last());
+        let last = self.used().outputs.last().max(self.used().pwm.last());
         let most = self.machine.plc().board().outputs;
         last.map_or(FIRST_OUTPUTS, |last| (*last).max(FIRST_OUTPUTS))
             .min(most)
     }
 
     /// What the program counts and remembers, as it stood in the last scan: each with its name. The variables of one that
-    /// declares them stand in place of counters, registers and markers.
+    /// declares them are in place of counters, registers and markers.
     pub(super) fn memory(&self) -> Vec<Vec<Span<'static>>> {
         let machine = &self.machine;
         let selected = self.knobs.selected().map(|input| format!("A{input}"));
-        let of_points = self.used.quantities(machine.plc(), &self.world());
+        let of_points = self.used().quantities(machine.plc(), &self.world());
         let of_points = of_points
             .iter()
             .filter(|of| !self.variables.any() || of.name.starts_with(['A', 'P']));
         let of_points = of_points.map(|of| {
-            let name = self.names.get(&of.name).unwrap_or(&of.name);
+            let name = self.names().get(&of.name).unwrap_or(&of.name);
             spans(name, of, selected.as_ref() == Some(&of.name))
         });
         of_points
@@ -241,27 +255,68 @@ impl App {
         self.owed += elapsed.min(MOST_BEHIND);
         while let Some(left) = self.owed.checked_sub(SCAN) {
             self.owed = left;
-            self.scan()?;
+            self.scan(None)?;
+            if !self.running {
+                break;
+            }
         }
         Ok(())
     }
 
-    fn scan(&mut self) -> io::Result<()> {
+    /// Where the scan stands in slow motion, and the line of that in the text.
+    pub(super) fn standing(&self) -> Option<(Standing, Option<usize>)> {
+        let standing = self.slow.as_ref()?.standing();
+        let line = slow::line(&self.program.map, standing.step);
+        Some((standing, line))
+    }
+
+    /// The lines of the text that breakpoints are on.
+    pub(super) fn breaks(&self) -> BTreeSet<usize> {
+        let lines = self.breaks.iter();
+        lines
+            .filter_map(|&step| slow::line(&self.program.map, step))
+            .collect()
+    }
+
+    /// Goes on with a scan, or makes one: so far, and to the next breakpoint at most.
+    fn scan(&mut self, to: Option<To>) -> io::Result<()> {
         if self.fault.is_some() {
             return Ok(());
         }
-        let inputs = self.world();
-        // The clock of the PLC wraps (NC-9).
-        let now = self.scans as Millis;
-        let steps = self.machine.plc().steps().count();
-        let mut flow = Flow::new(steps);
-        let observe = |step, after| flow.observe(step, after);
-        if let Err(fault) = self.machine.scan_observed(inputs, now, observe) {
-            self.fault = Some(fault);
-            let place = fault.line.and_then(|line| self.map.of_code(line));
-            self.fault_line = place.map(|place| place.line);
-            self.running = false;
+        let (places, breaks) = (&self.places, &self.breaks);
+        let stops = |step| breaks.contains(&step) || to.is_some_and(|to| to.stops(step, places));
+        let mut slow = match self.slow.take() {
+            Some(slow) => slow,
+            None => {
+                // The clock of the PLC wraps (NC-9).
+                let (inputs, now) = (self.world(), self.scans as Millis);
+                let slow = Slow::begin(&mut self.machine, inputs, now);
+                if stops(0) {
+                    self.stand(slow);
+                    return Ok(());
+                }
+                slow
+            }
+        };
+        match slow.go(&mut self.machine, stops) {
+            Ok(true) => {}
+            Ok(false) => {
+                self.stand(slow);
+                return Ok(());
+            }
+            Err(fault) => {
+                self.fault = Some(fault);
+                let place = fault.line.and_then(|line| self.program.map.of_code(line));
+                self.fault_line = place.map(|place| place.line);
+                self.running = false;
+            }
         }
+        let Slow {
+            mut flow,
+            inputs,
+            now,
+            ..
+        } = slow;
         flow.look(self.machine.plc(), now);
         flow.end(self.machine.plc());
         self.flow = flow;
@@ -269,11 +324,36 @@ impl App {
         if let Some(recorder) = &mut self.recorder {
             recorder.record(
                 self.recorded,
-                &Sample::of(&self.machine, &self.used, &inputs, now),
+                &Sample::of(&self.machine, &self.program.size.used, &inputs, now),
             )?;
             self.recorded += 1;
         }
         Ok(())
+    }
+
+    /// The scan stands: what is shown is what it has done so far.
+    fn stand(&mut self, slow: Slow) {
+        self.running = false;
+        self.flow = slow.flow.clone();
+        self.slow = Some(slow);
+        if let Some((_, Some(line))) = self.standing() {
+            self.scroll.show(line.saturating_sub(1));
+        }
+    }
+
+    /// Goes on in slow motion.
+    fn slowly(&mut self, to: To) -> io::Result<()> {
+        self.running = false;
+        self.scan(Some(to))
+    }
+
+    /// Sets a breakpoint where the scan stands, or takes it away.
+    fn turn_break(&mut self) {
+        if let Some((Standing { step, .. }, _)) = self.standing()
+            && !self.breaks.remove(&step)
+        {
+            self.breaks.insert(step);
+        }
     }
 
     /// Takes a key. An error comes from the recording.
@@ -303,9 +383,13 @@ impl App {
             (KeyCode::Char('<'), _) => self.knobs.turn(-100),
             (KeyCode::Char('s'), _) => {
                 self.running = false;
-                self.scan()?;
+                self.scan(None)?;
             }
+            (KeyCode::Char('e'), _) => self.slowly(To::Element)?,
+            (KeyCode::Char('g'), _) => self.slowly(To::Rung)?,
+            (KeyCode::Char('l'), _) => self.slowly(To::Line)?,
             (_, KeyEventKind::Repeat) => {}
+            (KeyCode::Char('b'), _) => self.turn_break(),
             (KeyCode::Char('c'), _) if key.modifiers == KeyModifiers::CONTROL => self.quit = true,
             (KeyCode::Char('q') | KeyCode::Esc, _) => self.quit = true,
             (KeyCode::Char('m'), _) => self.buttons.switch_mode(),
@@ -331,6 +415,7 @@ impl App {
         self.machine.with_plc(|plc: &mut Plc<'_>| plc.restart());
         self.running |= self.fault.take().is_some();
         self.flow = Flow::default();
+        self.slow = None;
         self.scans = 0;
         self.owed = SCAN;
     }
@@ -361,6 +446,13 @@ impl Scroll {
         Scroll {
             top,
             ..Scroll::default()
+        }
+    }
+
+    /// Has this line, counted from 0, be shown where it is not.
+    fn show(&mut self, line: usize) {
+        if line < self.top || line >= self.top + self.height {
+            self.top = line.saturating_sub(self.height / 2);
         }
     }
 

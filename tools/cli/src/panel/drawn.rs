@@ -1,12 +1,12 @@
 //! A running program as a person looks at it: its charts, its ladder diagram, or the text that it comes from.
 
 use super::ladder::Rungs;
-use super::listing::Listing;
+use super::listing::{Listing, Marked};
 use crate::messages;
 use ratatui::text::Line;
 use unoclp_exercise::live::{Charts, Flow};
 use unoclp_point::Address;
-use unoclp_program::Source;
+use unoclp_workspace::Ready;
 
 /// The ways to look at a program.
 pub struct Drawn {
@@ -25,7 +25,7 @@ enum View {
 
 impl Drawn {
     /// Of this program. A chart is shown as one first, what was written as a text as that.
-    pub fn new(program: &Source) -> Drawn {
+    pub fn new(program: &Ready) -> Drawn {
         let charts = Charts::new(program);
         Drawn {
             rungs: Rungs::new(program),
@@ -60,7 +60,7 @@ impl Drawn {
         }
     }
 
-    /// What is shown, and which steps are active, where `read` gives what stands at a point.
+    /// What is shown, and which steps are active, where `read` gives what is at a point.
     pub fn title(&self, read: impl Fn(Address) -> Option<i32>) -> String {
         let what = match self.view {
             View::Text => messages::text(),
@@ -82,16 +82,18 @@ impl Drawn {
         }
     }
 
-    /// What is shown as lines of text, of this width where that is enough.
+    /// What is shown as lines of text, of this width where that is enough; with the step that comes next in slow motion, and
+    /// what is marked by it in a text.
     pub fn lines(
         &self,
         flow: &Flow,
+        (next, marked): (Option<usize>, &Marked),
         width: usize,
         read: impl Fn(Address) -> Option<i32>,
     ) -> Vec<Line<'static>> {
         match self.view {
-            View::Text => self.listing.lines(flow),
-            View::Ladder => self.rungs.lines(flow, width),
+            View::Text => self.listing.lines(flow, marked),
+            View::Ladder => self.rungs.lines(flow, next, width),
             View::Chart => self
                 .charts
                 .pictures(read)

@@ -3,8 +3,18 @@
 use super::ON;
 use ratatui::style::Style;
 use ratatui::text::Line;
+use std::collections::BTreeSet;
 use unoclp_exercise::live::{Flow, Lines, Mark};
 use unoclp_program::Source;
+
+/// Lines of a text that slow motion marks, from 1.
+#[derive(Clone, Debug, Default)]
+pub struct Marked {
+    /// The one that comes next.
+    pub next: Option<usize>,
+    /// Those with a breakpoint.
+    pub breaks: BTreeSet<usize>,
+}
 
 /// The lines of a text, with the steps that tell how each stands.
 pub struct Listing(Lines);
@@ -22,18 +32,24 @@ impl Listing {
 
     /// The lines as they stand, those that work on a number with that number; else `●` where the line has power, what it tests
     /// holds, or the bit that it stores is 1; `○` where not; neither where the scan has not come there.
-    pub fn lines(&self, flow: &Flow) -> Vec<Line<'static>> {
+    /// The line that comes next is marked, and those with a breakpoint.
+    pub fn lines(&self, flow: &Flow, slow: &Marked) -> Vec<Line<'static>> {
         let line = |((number, text), mark): ((usize, &str), Mark)| {
+            let number = match slow {
+                Marked { next, .. } if *next == Some(number) => format!("{number:>3}▶"),
+                Marked { breaks, .. } if breaks.contains(&number) => format!("{number:>3}■"),
+                _ => format!("{number:>4}"),
+            };
             let (lamp, style) = match mark {
                 Mark::Power(Some(true)) => ('●', ON),
                 Mark::Power(Some(false)) => ('○', Style::new()),
                 Mark::Power(None) => (' ', Style::new()),
                 Mark::Value(Some(value)) => {
-                    return Line::raw(format!("{number:>4}   {text}  = {value}"));
+                    return Line::raw(format!("{number}   {text}  = {value}"));
                 }
-                Mark::Value(None) => return Line::raw(format!("{number:>4}   {text}")),
+                Mark::Value(None) => return Line::raw(format!("{number}   {text}")),
             };
-            Line::styled(format!("{number:>4} {lamp} {text}"), style)
+            Line::styled(format!("{number} {lamp} {text}"), style)
         };
         let texts = (1..).zip(self.0.texts());
         texts.zip(self.0.marks(flow)).map(line).collect()

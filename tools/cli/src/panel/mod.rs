@@ -7,6 +7,7 @@
 //! - `ladder`: the rungs as lines of text, with what is energised
 //! - `listing`: the text of the program, with what each line has come to
 //! - `drawn`: which of the two is shown
+//! - `slow`: a scan in slow motion: where it stands, and its breakpoints
 //! - `view`: from the app to the screen
 //! - `run`: the loop of frames and key events
 
@@ -18,6 +19,7 @@ mod ladder;
 mod listing;
 mod memory;
 mod run;
+mod slow;
 mod view;
 
 #[cfg(test)]
@@ -25,6 +27,7 @@ mod tests;
 
 pub use app::App;
 pub(crate) use drawn::Drawn;
+pub(crate) use listing::Marked;
 pub use run::run;
 
 use ratatui::style::{Color, Modifier, Style};

@@ -1,5 +1,6 @@
 //! The simulator without a terminal: keys and time go in, the screen comes out.
 
+mod slow;
 mod typed;
 
 use super::app::App;
@@ -17,22 +18,23 @@ use std::time::Duration;
 use unoclp_core::Image;
 use unoclp_exercise::wave::Recorder;
 use unoclp_host_sim::random::{Random, random_program};
-use unoclp_program::{Source, Written};
+use unoclp_program::Written;
+use unoclp_workspace::{Ready, Workspace};
 
 /// I1 sets Q1 through a TON of 20 ms; I2 or not I3, and Q1, to Q2.
 const PROGRAM: &str = "0\n787600\n827301\n847978\n20\n7901\n\
     787600\n827302\n40\n-827303\n41\n827901\n877902\n";
 
 /// A program that is right, of this name and text.
-fn source(name: &str, text: &str) -> Source {
+fn source(name: &str, text: &str) -> Ready {
     let written = Written::new(name.to_owned(), text.into(), unoclp_core::Board::UNO);
-    written
-        .check(None)
-        .unwrap_or_else(|refused| panic!("{refused:?}"))
+    let analysis = Workspace::default().open(written);
+    let refused = || panic!("{:?}", analysis.check());
+    analysis.ready().unwrap_or_else(refused)
 }
 
 fn app(program: &str) -> App {
-    App::new(source("motor.txt", program))
+    App::new(source("motor.txt", program)).unwrap()
 }
 
 fn advance(app: &mut App, ms: u64) {
@@ -79,7 +81,7 @@ fn the_screen_shows_what_is_energised() {
   2 ┣━━┤ I2 ├──┳━━┤ Q1 ├────────────────────────────( Q2 )─┤
     ┣━━┥/I3 ┝━━┛                                           │
 
- q quit  space pause  s scan  r restart  v text  m momentary  ↑↓ scroll";
+ q quit  space pause  s scan  r restart  v text  m momentary  e slow  ↑↓ scroll";
     assert_eq!(screen(&mut app, 80, 11).join("\n"), expected);
 
     advance(&mut app, 5);
@@ -93,7 +95,7 @@ fn the_screen_shows_what_is_energised() {
   2 ┣━━┤ I2 ├──┳━━┥ Q1 ┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━( Q2 )━┤
     ┣━━┥/I3 ┝━━┛                                           │
 
- q quit  space pause  s scan  r restart  v text  m momentary  ↑↓ scroll";
+ q quit  space pause  s scan  r restart  v text  m momentary  e slow  ↑↓ scroll";
     assert_eq!(screen(&mut app, 80, 11).join("\n"), expected);
 }
 
@@ -496,7 +498,7 @@ const LIST: &str = "(* Lamp *)\nLD I1\nOR( I2\nANDN I3\n)\nST Q1\n\nLD Q1\nTON T
 #[test]
 fn lines_of_instruction_list_show_what_they_have_come_to() {
     let program = source("lamp.il", LIST);
-    let mut app = App::new(program);
+    let mut app = App::new(program).unwrap();
     press(&mut app, '2');
     advance(&mut app, 10);
     let shown = screen(&mut app, 80, 20).join("\n");
@@ -549,7 +551,7 @@ fn lines_of_numeric_code_show_what_they_have_come_to() {
 fn a_fault_names_the_line_of_the_text() {
     // Numeric code has the jump in another line.
     let text = "(* a comment *)\n(* and another *)\nbegin: LD I1\nST Q1\nJMP begin\n";
-    let mut app = App::new(source("loop.il", text));
+    let mut app = App::new(source("loop.il", text)).unwrap();
     advance(&mut app, 10);
     let shown = screen(&mut app, 80, 20).join("\n");
     assert!(shown.contains("FAULT 75, line 5"), "{shown}");
@@ -568,7 +570,7 @@ fn a_screen_that_is_too_small_says_so_and_how_to_leave() {
 #[test]
 fn variables_show_their_names_and_numbers_their_values() {
     let text = "VAR\n speed AT %MW1 : INT;\n fast AT %MX1 : BOOL;\nEND_VAR\nLD speed\nADD 3\nST speed\nGT 10\nST fast\n";
-    let mut app = App::new(source("names.il", text));
+    let mut app = App::new(source("names.il", text)).unwrap();
     advance(&mut app, 3);
     let shown = screen(&mut app, 80, 24).join("\n");
     assert!(
@@ -585,7 +587,7 @@ fn variables_show_their_names_and_numbers_their_values() {
 fn values_stand_beside_lines_that_name_no_register() {
     let text = "LD 5\nMUL 4\nSUB 1\nST D1\nLD IW0\nDIV 2\nST D2\nLD I1\nJMPCN out\nLD D1\nADD 100\nST D1\n\
                 out:\nLD I2\nST Q2\n";
-    let mut app = App::new(source("values.il", text));
+    let mut app = App::new(source("values.il", text)).unwrap();
     app.knobs.select_next();
     app.knobs.turn(100);
     advance(&mut app, 1);
@@ -614,7 +616,7 @@ fn values_stand_beside_lines_that_name_no_register() {
 fn inputs_and_outputs_stand_beside_their_names() {
     let text = "VAR\n start AT %IX1 : BOOL;\n emergency_stop AT %IX2 : BOOL;\n pump AT %QX1 : BOOL;\nEND_VAR\n\
                 LD start\nANDN emergency_stop\nST pump\n";
-    let mut app = App::new(source("named.il", text));
+    let mut app = App::new(source("named.il", text)).unwrap();
     press(&mut app, '1');
     advance(&mut app, 1);
     let lines = screen(&mut app, 80, 24);

@@ -2,7 +2,9 @@
 
 use super::ON;
 use super::app::App;
+use super::listing::Marked;
 use super::memory::MemoryPage;
+use super::slow::Standing;
 use crate::lamps::{Lamp, Lamps, Sides};
 use crate::{messages, screen};
 use ratatui::Frame;
@@ -79,7 +81,7 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
     if watched.height() > 0 {
         draw_panel(messages::watched(), watched.lines(), frame, watched_area);
     }
-    page.draw(&timers, &app.names, frame, timer_area);
+    page.draw(&timers, app.names(), frame, timer_area);
     if memory.height() > 0 {
         let title = match app.variables.any() {
             true => messages::variables(),
@@ -108,7 +110,10 @@ fn draw_footer(app: &App, pages: (usize, usize), frame: &mut Frame, area: Rect) 
         None => String::new(),
     };
     let view = app.drawn.other();
-    let keys = messages::sim_keys(run, view, mode, format!("{knobs}{timers}{memory}"));
+    let keys = match app.standing() {
+        Some(_) => messages::slow_keys(),
+        None => messages::sim_keys(run, view, mode, format!("{knobs}{timers}{memory}")),
+    };
     frame.render_widget(Line::raw(keys).style(BAR), area);
 }
 
@@ -133,7 +138,7 @@ fn draw_header(app: &App, frame: &mut Frame, area: Rect) {
     let width = u16::try_from(right.width()).unwrap_or(u16::MAX);
     let [left, right_area] =
         Layout::horizontal([Constraint::Fill(1), Constraint::Length(width)]).areas(area);
-    frame.render_widget(Line::raw(format!(" {}", app.name)).style(BAR), left);
+    frame.render_widget(Line::raw(format!(" {}", app.name())).style(BAR), left);
     frame.render_widget(right.style(BAR), right_area);
 }
 
@@ -161,7 +166,7 @@ fn output_lamps(app: &App) -> Lamps {
 }
 
 fn named_lamp(app: &App, point: String, on: bool) -> Lamp {
-    let name = app.names.get(&point).cloned();
+    let name = app.names().get(&point).cloned();
     let behind = if name.is_some() { " " } else { "  " };
     Lamp {
         name,
@@ -283,8 +288,21 @@ fn timer_spans(label: &str, timer: &TimerState, digits: usize, width: usize) -> 
 
 fn draw_rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     let width = usize::from(area.width);
-    let lines = app.drawn.lines(&app.flow, width, |point| app.read(point));
+    let standing = app.standing();
+    let marked = Marked {
+        next: standing.as_ref().and_then(|(_, line)| *line),
+        breaks: app.breaks(),
+    };
+    let next = standing.as_ref().map(|(standing, _)| standing.step);
+    let slow = (next, &marked);
+    let lines = app
+        .drawn
+        .lines(&app.flow, slow, width, |point| app.read(point));
     let what = app.drawn.title(|point| app.read(point));
+    let what = match &standing {
+        Some((standing, line)) => format!("{what}: {}", stands(standing, *line)),
+        None => what,
+    };
     let height = usize::from(area.height.saturating_sub(1));
     let (count, top) = (lines.len(), app.scroll.fit(lines.len(), height));
     let shown: Vec<Line> = lines.into_iter().skip(top).take(height).collect();
@@ -294,6 +312,23 @@ fn draw_rungs(app: &mut App, frame: &mut Frame, area: Rect) {
         what
     };
     draw_panel(title, shown, frame, area);
+}
+
+/// `next: line 4  acc 1  value 12  stack 3 7`.
+fn stands(standing: &Standing, line: Option<usize>) -> String {
+    let Standing {
+        acc, value, pushed, ..
+    } = standing;
+    let acc = u8::from(*acc);
+    let stack: Vec<String> = pushed.iter().map(i32::to_string).collect();
+    let stack = match stack[..] {
+        [] => String::new(),
+        _ => messages::slow_stack(stack.join(" ")),
+    };
+    match line {
+        Some(line) => messages::slow_next(line, acc, value, stack),
+        None => messages::slow_last(acc, value, stack),
+    }
 }
 
 /// The short name of what a timer drives: `Q1`, `M12`.

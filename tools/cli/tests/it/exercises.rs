@@ -127,13 +127,13 @@ fn a_class_is_graded_and_what_is_wrong_is_a_row() {
         ("file", "first failing case"),
         ("ana/lamp.il", "2/2    passed"),
         ("bia/lamp.st", "2/2    passed"),
-        ("bits.il", "0/2    no program that runs: the file is binary, not text"),
-        ("empty.txt", "0/2    no program that runs: the file is empty"),
+        ("bits.il", "0/2    does not compile: the file is binary, not text"),
+        ("empty.txt", "0/2    does not compile: the file is empty"),
         ("follows, only.il", "1/2    It stays: Q1 at 120 ms: expected 1, got 0 (until 300 ms)"),
-        ("large.il", "0/2    no program that runs: line "),
+        ("large.il", "0/2    does not compile: line "),
         ("loops.st", "0/2    On: line 5: fault 75: too many jumps back in one scan (NC-19)"),
-        ("point.il", "0/2    no program that runs: line 1: there is no point `I9` on this board"),
-        ("zero.txt", "0/2    no program that runs: line 2: this board has no such input"),
+        ("point.il", "0/2    does not compile: line 1: there is no point `I9` on this board"),
+        ("zero.txt", "0/2    does not compile: line 2: this board has no such input"),
         ("A lamp with memory: 2 of 9 passed", ""),
     ];
     assert_eq!(rows.len(), due.len(), "{out}");

@@ -92,7 +92,7 @@ fn several_exercises_stand_in_one_table_by_names() {
     for boasts in ["bia.unoclp.json", "caio.unoclp.json"] {
         assert!(
             err.contains(&format!(
-                "{boasts}: the hand-in says that it passed, and it did not"
+                "{boasts}: the hand-in claims to have passed, but it did not"
             )),
             "{err}"
         );

@@ -52,7 +52,7 @@ fn a_rule_that_breaks_is_told_with_its_second_and_drawn() {
     );
 }
 
-/// The moving picture of README: `unoclp sim … --gif` makes it.
+/// The animation of README: `unoclp sim … --gif` makes it.
 #[cfg(feature = "gif")]
 #[test]
 fn a_run_becomes_a_moving_picture() {

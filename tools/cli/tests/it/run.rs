@@ -105,7 +105,7 @@ fn what_is_wrong_is_told_with_its_place() {
     let (code, out, err) = outcome(&["run", "--text", "VAR x : INT; END_VAR x := y;"]);
     assert_eq!((code, err.as_str()), (1, ""));
     assert!(
-        out.starts_with("error[ST-130]: nothing declares `y`\n --> the text:1:27\n"),
+        out.starts_with("error[ST-130]: `y` is not declared\n --> the text:1:27\n"),
         "{out}"
     );
     assert!(

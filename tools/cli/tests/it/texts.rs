@@ -67,7 +67,9 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
             sources(&path, found);
         } else if path.extension().is_some_and(|end| end == "rs")
             && !path.ends_with("tests.rs")
-            && !path.ends_with("tests/typed.rs")
+            && !path
+                .parent()
+                .is_some_and(|folder| folder.ends_with("tests"))
         {
             found.push(path);
         }

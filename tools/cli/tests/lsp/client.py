@@ -72,7 +72,7 @@ async def main():
     wrong = (await told.get()).diagnostics
     said("diagnostics", len(wrong) == 1 and wrong[0].code == "ST-130", wrong)
     said("place", wrong[0].range.start == here(TEXT, "pausa.Q"), wrong[0].range)
-    said("Portuguese", "nada declara" in wrong[0].message, wrong[0].message)
+    said("Portuguese", "não foi declarado" in wrong[0].message, wrong[0].message)
 
     document = lsp.TextDocumentIdentifier(URI)
     actions = await client.text_document_code_action_async(

@@ -173,7 +173,7 @@ fn the_steps_of_the_page_are_done_one_after_the_other() {
             let line = line
                 .replace("broker.example", &told)
                 .replace("site.toml", file);
-            // It listens for ever otherwise.
+            // It listens forever otherwise.
             let line = line.replace("mosquitto_sub", "mosquitto_sub -C 1 -W 60");
             line.replace("unoclp site", &format!("{program} site"))
         })

@@ -79,7 +79,7 @@ impl Wire {
                 Next::Done(outcome) => return outcome,
                 Next::Wait(until) => until,
             };
-            assert!(until < Duration::MAX, "it waits for ever");
+            assert!(until < Duration::MAX, "it waits forever");
             came = match self.coming.pop_front_if(|(at, _)| *at <= until) {
                 Some((at, bytes)) => {
                     self.now = self.now.max(at);

@@ -41,6 +41,12 @@ const LEFT: f32 = 250.0;
 const PLOT: f32 = WIDTH - LEFT - 2.0 * MARGIN;
 /// Between lanes.
 const GAP: f32 = 6.0;
+/// From one line of text to the next.
+const TEXT: f32 = 20.0;
+/// A letter takes no more, on an average.
+const LETTER: f32 = 6.6;
+/// A time below the lanes needs so much.
+const TIME: f32 = 60.0;
 
 const INK: &str = "#1a1a1a";
 const PALE: &str = "#5c6670";
@@ -49,12 +55,68 @@ const RED: &str = "#b3261e";
 const GREEN: &str = "#12684f";
 const BLUE: &str = "#274b8f";
 
+/// What a picture is made for.
+#[derive(Clone, Copy, Debug)]
+struct Form {
+    width: f32,
+    /// Where time begins.
+    left: f32,
+    /// Whether a name stands above its lane, not before it.
+    is_above: bool,
+}
+
+const PAPER: Form = Form {
+    width: WIDTH,
+    left: LEFT,
+    is_above: false,
+};
+const COLUMN: Form = Form {
+    width: 340.0,
+    left: 78.0,
+    is_above: true,
+};
+
+impl Form {
+    fn plot(self) -> f32 {
+        self.width - self.left - 2.0 * MARGIN
+    }
+
+    /// Lines of a text from `y` on, and the `y` of the next.
+    fn lines(self, text: &str, y: f32, ink: &str) -> (Group, f32) {
+        let letters = ((self.width - 2.0 * MARGIN) / LETTER) as usize;
+        let mut lines = vec![String::new()];
+        for word in text.split_whitespace() {
+            match lines.last_mut() {
+                Some(line) if line.is_empty() => line.push_str(word),
+                Some(line) if line.chars().count() + 1 + word.chars().count() <= letters => {
+                    line.push(' ');
+                    line.push_str(word);
+                }
+                _ => lines.push(word.to_owned()),
+            }
+        }
+        let group = Group::new();
+        lines.iter().fold((group, y), |(group, y), line| {
+            (group.add(label(MARGIN, y, line, ink)), y + TEXT)
+        })
+    }
+}
+
 /// These runs below each other as an SVG document; `names` are what is connected to the points.
 pub fn svg(runs: &[Run<'_>], names: &BTreeMap<String, Both>, lang: Lang) -> String {
+    on(PAPER, runs, names, lang)
+}
+
+/// The same for a column beside a program.
+pub fn column(runs: &[Run<'_>], names: &BTreeMap<String, Both>, lang: Lang) -> String {
+    on(COLUMN, runs, names, lang)
+}
+
+fn on(form: Form, runs: &[Run<'_>], names: &BTreeMap<String, Both>, lang: Lang) -> String {
     let (mut page, mut y) = (Group::new(), MARGIN);
     let mut about = Vec::new();
     for run in runs {
-        let (group, below) = drawn(*run, names, lang, y);
+        let (group, below) = drawn(*run, names, lang, y, form);
         page = page.add(group);
         y = below + 2.0 * GAP;
         about.push(format!(
@@ -63,20 +125,24 @@ pub fn svg(runs: &[Run<'_>], names: &BTreeMap<String, Both>, lang: Lang) -> Stri
             told(*run, lang)
         ));
     }
-    page = page.add(label(MARGIN, y + 12.0, &words::legend(lang), PALE));
-    document(page, y + 12.0 + MARGIN, &about.join("\n"))
+    let (legend, y) = form.lines(&words::legend(lang), y + 12.0, PALE);
+    document(
+        page.add(legend),
+        (form.width, y - TEXT + MARGIN),
+        &about.join("\n"),
+    )
 }
 
-/// A page of this height as a document.
-fn document(page: Group, height: f32, about: &str) -> String {
+/// A page of this width and height as a document.
+fn document(page: Group, (width, height): (f32, f32), about: &str) -> String {
     let paper = Rectangle::new()
-        .set("width", WIDTH)
+        .set("width", width)
         .set("height", height)
         .set("fill", "#ffffff");
     Document::new()
-        .set("width", WIDTH)
+        .set("width", width)
         .set("height", height)
-        .set("viewBox", (0.0, 0.0, WIDTH, height))
+        .set("viewBox", (0.0, 0.0, width, height))
         .set("role", "img")
         .set("font-family", "Helvetica, Arial, 'DejaVu Sans', sans-serif")
         .set("font-size", 13)
@@ -92,26 +158,34 @@ fn told(run: Run<'_>, lang: Lang) -> String {
 }
 
 /// A run from `y` on, and where it ends.
-fn drawn(run: Run<'_>, names: &BTreeMap<String, Both>, lang: Lang, y: f32) -> (Group, f32) {
+fn drawn(
+    run: Run<'_>,
+    names: &BTreeMap<String, Both>,
+    lang: Lang,
+    y: f32,
+    form: Form,
+) -> (Group, f32) {
     let plan = run.scenario.plan();
     let lanes = lanes(&plan, run.report, names, lang);
     let colour = if run.report.passed() { GREEN } else { RED };
-    let top = y + 44.0;
+    let (title, below) = form.lines(run.scenario.about(lang), y + 14.0, INK);
+    let (verdict, below) = form.lines(&told(run, lang), below, colour);
+    let top = below - 10.0;
     let scale = Scale {
-        left: LEFT,
-        width: PLOT,
+        left: form.left,
+        width: form.plot(),
         from: 0,
         until: plan.until.max(1),
     };
     let (mut drawn, mut bottom) = (Group::new(), top);
     for lane in &lanes {
-        let (next, below) = drawn_lane(lane, scale, run.report.end, bottom, lang);
+        let (next, below) = drawn_lane(lane, scale, run.report.end, bottom, lang, form);
         drawn = drawn.add(next);
         bottom = below + GAP;
     }
     let mut group = Group::new()
-        .add(label(MARGIN, y + 14.0, run.scenario.about(lang), INK).set("font-weight", "bold"))
-        .add(label(MARGIN, y + 34.0, &told(run, lang), colour));
+        .add(title.set("font-weight", "bold"))
+        .add(verdict);
     if plan.until > 0 {
         group = group.add(axis(scale, top, bottom, lang));
     }
@@ -134,9 +208,17 @@ fn drawn(run: Run<'_>, names: &BTreeMap<String, Both>, lang: Lang, y: f32) -> (G
 }
 
 /// A lane from `y` on, and where it ends.
-fn drawn_lane(lane: &Lane, scale: Scale, end: Millis, y: f32, lang: Lang) -> (Group, f32) {
+fn drawn_lane(
+    lane: &Lane,
+    scale: Scale,
+    end: Millis,
+    y: f32,
+    lang: Lang,
+    form: Form,
+) -> (Group, f32) {
     let name = label(MARGIN, y + ROW - 8.0, &cut(&lane.label), INK);
     let mut group = Group::new().add(name);
+    let y = if form.is_above { y + TEXT } else { y };
     let Some(expected) = &lane.expected else {
         group = group.add(stroke(&lane.came, lane.is_bit, scale, y, end, BLUE));
         return (group, y + ROW);
@@ -156,7 +238,7 @@ fn drawn_lane(lane: &Lane, scale: Scale, end: Millis, y: f32, lang: Lang) -> (Gr
     for (row, (word, colour)) in rows.iter().enumerate() {
         let y = y + row as f32 * ROW + ROW - 8.0;
         group = group.add(
-            label(LEFT - 8.0, y, word, colour)
+            label(scale.left - 8.0, y, word, colour)
                 .set("text-anchor", "end")
                 .set("font-size", 11),
         );
@@ -183,7 +265,8 @@ fn cut(text: &str) -> String {
 fn axis(scale: Scale, top: f32, bottom: f32, lang: Lang) -> Group {
     let steps = (0..9).flat_map(|power| [1, 2, 5].map(|step: Millis| step * 10_u32.pow(power)));
     let span = scale.until.saturating_sub(scale.from);
-    let is_wide = |step: &Millis| span / step <= 10;
+    let most = (scale.width / TIME) as Millis;
+    let is_wide = |step: &Millis| span / step <= most;
     let mut steps = steps.into_iter();
     let step = steps.find(is_wide).unwrap_or(Millis::MAX);
     let first = scale.from.div_ceil(step).saturating_mul(step);

@@ -4,7 +4,7 @@
 
 use super::lanes::Lane;
 use super::stroke::{Scale, label, line};
-use super::{GAP, INK, LEFT, MARGIN, PALE, PLOT, RED, axis, document, drawn_lane};
+use super::{GAP, INK, LEFT, MARGIN, PALE, PAPER, PLOT, RED, WIDTH, axis, document, drawn_lane};
 use crate::scenario::{Both, Course};
 use std::collections::BTreeMap;
 use svg::node::element::Group;
@@ -123,7 +123,7 @@ impl Moment {
                 came: course.clone(),
                 unmet: Vec::new(),
             };
-            let (drawn, below) = drawn_lane(&lane, scale, self.until, bottom, lang);
+            let (drawn, below) = drawn_lane(&lane, scale, self.until, bottom, lang, PAPER);
             rows = rows.add(drawn);
             bottom = below + GAP;
         }
@@ -141,6 +141,6 @@ impl Moment {
         if self.points.is_empty() {
             page = page.add(label(MARGIN, bottom, "–", PALE));
         }
-        document(page, bottom + 20.0 + MARGIN, why)
+        document(page, (WIDTH, bottom + 20.0 + MARGIN), why)
     }
 }

@@ -9,6 +9,10 @@ use unoclp_core::{Board, Inputs, Millis};
 use unoclp_host_sim::engine::{Engine as _, HostEngine};
 use unoclp_program::{Written, WrittenIn};
 
+/// How many scans before the given program another may change an output: what a step or a timer does in one of them may be
+/// a scan or two later in the other.
+const EARLY: Millis = 3;
+
 /// A program that a student reads, and the language to write it in.
 #[derive(Clone, Debug)]
 pub struct Given {
@@ -49,8 +53,8 @@ impl Given {
         }))
     }
 
-    /// The same steps, which expect from each scan on what this program does in it. A scan in which it fails is the last
-    /// of which anything is expected.
+    /// The same steps, which expect from each scan on what this program does in it; in the few scans before a change, both
+    /// values are right. A scan in which it fails is the last of which anything is expected.
     pub(super) fn expect(
         &self,
         steps: Vec<Step>,
@@ -64,7 +68,7 @@ impl Given {
             return all.into_values().collect();
         }
         let mut inputs = Inputs::default();
-        let mut last = BTreeMap::new();
+        let mut last: BTreeMap<Place, (i32, Millis)> = BTreeMap::new();
         let mut next = Some(0);
         while let Some(at) = next.filter(|at| *at <= until) {
             if let Some(step) = all.get(&at) {
@@ -78,10 +82,18 @@ impl Given {
                     Some(output) => (outputs.0 >> (output - 1) & 1) as i32,
                     None => engine.pwm(place.point().number()).map_or(0, i32::from),
                 };
-                if last.insert(*place, value) != Some(value) {
-                    let step = all.entry(at).or_insert_with(|| Step::at(at));
-                    step.expect.push((*place, Some(value)));
+                let before = last.get(place).copied();
+                if before.is_some_and(|(before, _)| before == value) {
+                    continue;
                 }
+                last.insert(*place, (value, at));
+                let early = at.saturating_sub(EARLY.saturating_mul(period));
+                if before.is_some_and(|(_, since)| since < early) {
+                    let step = all.entry(early).or_insert_with(|| Step::at(early));
+                    step.expect.push((*place, None));
+                }
+                let step = all.entry(at).or_insert_with(|| Step::at(at));
+                step.expect.push((*place, Some(value)));
             }
             next = at.checked_add(period);
         }

@@ -21,6 +21,10 @@ const MOST_SEEDS: usize = 20;
 pub struct Exercise {
     /// The path of the file.
     pub name: String,
+    /// The board that its points are of: the one it names, or else the one it was read for.
+    pub board: Board,
+    /// Whether it names one.
+    pub names_board: bool,
     /// What it is called; what the scenario shows, where the file has no title.
     pub title: Both,
     /// What the program shall do; none in a file that is a test alone.
@@ -78,8 +82,9 @@ impl Exercise {
         name: &str,
         keys: &FileKeys,
         folder: &Path,
-        board: Board,
+        usual: Board,
     ) -> Result<Exercise, Slip> {
+        let board = keys.board(usual)?;
         let about = keys.about.as_deref().map(Both::same);
         let Some(title) = keys.title.clone().or_else(|| about.clone()) else {
             return Err(slip(None, Wrong::NoTitle));
@@ -128,6 +133,8 @@ impl Exercise {
         Ok(Exercise {
             seeds: seeds.cloned().unwrap_or_default(),
             name: name.to_owned(),
+            board,
+            names_board: keys.board.is_some(),
             cases: cases(
                 keys,
                 about.as_ref().unwrap_or(&title),

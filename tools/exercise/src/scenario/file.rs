@@ -112,8 +112,9 @@ fn named_program(
     name: &str,
     keys: &FileKeys,
     folder: &Path,
-    board: Board,
+    usual: Board,
 ) -> Result<ProgramFile, Slip> {
+    let board = keys.board(usual)?;
     match (&keys.program, &keys.text) {
         (Some(path), None) => program_file(path, keys, folder, board),
         (None, Some(text)) => Ok(ProgramFile {

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::Spanned;
-use unoclp_core::Millis;
+use unoclp_core::{Board, Millis};
 
 /// What is wrong, and the bytes of the file that say it.
 pub(super) struct Slip {
@@ -50,6 +50,7 @@ fn line_of(source: &str, byte: usize) -> usize {
 pub(super) struct FileKeys {
     pub(super) about: Option<String>,
     pub(super) title: Option<Both>,
+    pub(super) board: Option<Spanned<String>>,
     pub(super) task: Option<Both>,
     #[serde(default)]
     pub(super) hints: Vec<Both>,
@@ -76,6 +77,21 @@ pub(super) struct FileKeys {
     pub(super) step: Vec<Spanned<StepKeys>>,
     #[serde(default)]
     pub(super) case: Vec<Spanned<CaseKeys>>,
+}
+
+impl FileKeys {
+    /// The board that the file names, or else this one.
+    pub(super) fn board(&self, usual: Board) -> Result<Board, Slip> {
+        let Some(name) = &self.board else {
+            return Ok(usual);
+        };
+        Board::named(name.get_ref()).ok_or_else(|| {
+            let wrong = Wrong::NoBoard {
+                name: name.get_ref().clone(),
+            };
+            slip(Some(name.span()), wrong)
+        })
+    }
 }
 
 /// The keys of a `[[case]]`.

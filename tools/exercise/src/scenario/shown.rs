@@ -8,7 +8,7 @@ use super::{
     Change, Columns, LONGEST, LoadError, MOST_SCANS, Report, Unmet, Unreadable, Verdict, Wrong,
 };
 use std::fmt;
-use unoclp_core::Millis;
+use unoclp_core::{Board, Millis};
 use unoclp_host_sim::engine::Refusal;
 use unoclp_program::{Lang, WrittenIn, diagnosis};
 use unoclp_words::system;
@@ -119,6 +119,10 @@ fn wrong(wrong: &Wrong, lang: Lang) -> String {
         Wrong::EndsEarly { last } => ends_early(lang, last),
         Wrong::NoTitle => toml("missing field `about`", lang),
         Wrong::TooManyScans { scans } => too_many_scans(lang, scans, MOST_SCANS),
+        Wrong::NoBoard { name } => {
+            let known = Board::ALL.map(|board| board.id()).join(", ");
+            no_board(lang, name, known)
+        }
         Wrong::CasesAndSteps => cases_and_steps(lang),
         Wrong::SeveralCases { count } => several_cases(lang, count),
         Wrong::NotNamed { name, board } => not_named(

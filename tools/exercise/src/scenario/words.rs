@@ -75,6 +75,9 @@ unoclp_words::messages! {
     ends_early(last)
         "`until` comes before the last step, at {last} ms"
         "`until` vem antes do último passo, em {last} ms";
+    no_board(name, known)
+        "there is no board \"{name}\"; boards are {known}"
+        "não existe a placa \"{name}\"; as placas são {known}";
     cases_and_steps()
         "in a file with [[case]], the steps and `until` belong in the cases; move them there"
         "um arquivo com [[case]] tem os passos e `until` dentro dos casos; passe-os para lá";

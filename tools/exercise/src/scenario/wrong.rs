@@ -92,6 +92,11 @@ pub enum Wrong {
     },
     /// It has neither a title, nor what it is about.
     NoTitle,
+    /// It names a board that there is not.
+    NoBoard {
+        /// The name.
+        name: String,
+    },
     /// It has cases, and steps beside them.
     CasesAndSteps,
     /// It has more than one case where one is run.

@@ -46,7 +46,7 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("scan_ms = 0\n[[step]]\nat = 0", 3, "`scan_ms` must be 1 or more"),
         ("until = 4\n[[step]]\nat = 5", 3, "`until` comes before the last step, at 5 ms"),
         ("[[step]]\nat = 5\nuntil = 9", 5, "unknown field `until`, expected one of `at`, `restart`, `set`, `expect`; put keys of the whole file above the first [[step]]"),
-        ("speed = 3", 3, "unknown field `speed`, expected one of `about`, `title`, `task`, `hints`, `names`, `normally_closed`, `equivalent`, `program`, `plant`, `seeds`, `text`, `given`, `answer_in`, `find`, `start_ms`, `scan_ms`, `within_ms`, `until`, `fault`, `stops`, `step`, `case`"),
+        ("speed = 3", 3, "unknown field `speed`, expected one of `about`, `title`, `board`, `task`, `hints`, `names`, `normally_closed`, `equivalent`, `program`, `plant`, `seeds`, `text`, `given`, `answer_in`, `find`, `start_ms`, `scan_ms`, `within_ms`, `until`, `fault`, `stops`, `step`, `case`"),
         ("[[case]]\ntitle = { en = \"a\", pt = \"b\" }", 3, "nothing happens; write a [[step]] or the expected `fault`"),
         ("[[case]]\nstep = [{ at = 0 }]", 3, "missing field `title`"),
         ("until = 5\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]", 4, "in a file with [[case]], the steps and `until` belong in the cases; move them there"),
@@ -239,7 +239,7 @@ fn a_restart_keeps_retentive_markers_alone() {
 
 #[test]
 fn a_run_may_end_in_a_fault() {
-    // Jumps back for ever while I1 is closed.
+    // Jumps back forever while I1 is closed.
     let head = "about = \"\"\ntext = \"0\\n766601\\n827301\\n74778001\\n787600\\n877901\\n\"\n";
     let step = "[[step]]\nat = 3\nset = { I1 = 1 }\n";
     let told = |name: &str, stops: &str| {
@@ -315,6 +315,7 @@ fn what_is_wrong_is_told_in_portuguese() {
         (step("expect = { Q1 = 2 }"), ":5: Q1 deve ser 0 ou 1, ou \"any\""),
         (step("until = 9"), ":5: não existe aqui a chave `until`; existe `at`, `restart`, `set`, `expect`; ponha as chaves do arquivo inteiro acima do primeiro [[step]]"),
         (step("restart = 1"), ":5: este valor não é do tipo que a chave pede"),
+        (format!("{HEAD}board = \"due\""), ":3: não existe a placa \"due\"; as placas são uno, nano, mega, pc"),
         (format!("{HEAD}[[step]]"), ":3: falta a chave `at`"),
         (format!("{HEAD}about = \"\""), ":3: esta chave aparece duas vezes"),
         (format!("{HEAD}[["), ":3: isto não é TOML válido; confira aspas, vírgulas e colchetes"),

@@ -122,7 +122,7 @@ pub(crate) mod motor {
         [80, 100];
         fields {
             line: Form::Part(&["contactor"]), "the contactor of its line" "o contator da linha";
-            reverse: Form::MayPart(&["contactor"]), "the contactor that exchanges two phases" "o contator que troca duas fases";
+            reverse: Form::MayPart(&["contactor"]), "the contactor that swaps two phases" "o contator que troca duas fases";
             star: Form::MayPart(&["contactor"]), "the contactor of the star" "o contator da estrela";
             delta: Form::MayPart(&["contactor"]), "the contactor of the delta" "o contator do triângulo";
             fuse: Form::MayPart(&["fuse"]), "the fuse before it" "o fusível antes dele";

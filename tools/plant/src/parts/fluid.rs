@@ -75,7 +75,7 @@ pub(crate) mod tank {
 pub(crate) mod valve {
     use super::*;
     kind! {
-        "valve" Fluid "A valve between two tanks; without `from` it takes from the mains, without `to` it leads to the drain" "Uma válvula entre dois tanques; sem `from` antes dela está a rede, sem `to` depois dela o ralo"
+        "valve" Fluid "A valve between two tanks; without `from` it is fed from the mains, without `to` it leads to the drain" "Uma válvula entre dois tanques; sem `from` ela recebe da rede, sem `to` ela leva ao ralo"
         [60, 60];
         fields {
             by: Form::Duty, "what opens it" "o que a abre";

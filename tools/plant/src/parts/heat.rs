@@ -16,8 +16,8 @@ pub(crate) mod oven {
         fields {
             outside: Form::Number(Unit::MilliC, -20_000, 50_000, 25_000), "the temperature outside" "a temperatura de fora";
             lag: Form::Number(Unit::Ms, 1000, 3_600_000, 60_000), "its time constant" "a constante de tempo";
-            dead: Form::Number(Unit::Ms, 0, 60_000, 2000), "the dead time before heat has an effect" "quanto o calor demora a ser sentido";
-            bears: Form::Number(Unit::MilliC, 30_000, 400_000, 300_000), "the temperature that damages it" "a temperatura em que se danifica";
+            dead: Form::Number(Unit::Ms, 0, 60_000, 2000), "the dead time before heat has an effect" "quanto o calor demora a fazer efeito";
+            bears: Form::Number(Unit::MilliC, 30_000, 400_000, 300_000), "the temperature that damages it" "a temperatura que o danifica";
         }
         values {
             temperature: Slot { first: Limit::Of("outside"), ..number(Unit::MilliC, -50_000, 450_000) }, "its temperature in thousandths of a degree" "a temperatura em milésimos de grau";
@@ -75,7 +75,7 @@ pub(crate) mod heater {
         fields {
             by: Form::Duty, "what drives it" "o que a aciona";
             within: Form::Part(OVENS), "its oven" "o forno dela";
-            warms: Form::Number(Unit::MilliC, 1000, 500_000, 250_000), "how much it warms the oven in the end" "quanto esquenta o forno no fim";
+            warms: Form::Number(Unit::MilliC, 1000, 500_000, 250_000), "how far it finally warms the oven" "quanto aquece o forno no total";
         }
         values { power: SHARE, "how much of its power it gives" "quanto da potência dá"; }
         faults { Open Welded }

@@ -25,9 +25,9 @@ pub(crate) mod cylinder {
             is_out: Form::Sense, "the input of the switch at its outer end" "a entrada do fim de curso avançado";
         }
         values {
-            position: SHARE, "how far it is out" "quanto está avançado";
-            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully in" "se está todo recuado";
-            out: FLAG, "whether it is fully out" "se está todo avançado";
+            position: SHARE, "how far it is extended" "quanto está avançado";
+            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully retracted" "se está todo recuado";
+            out: FLAG, "whether it is fully extended" "se está todo avançado";
             moves: FLAG, "whether it moves" "se está em movimento";
             hand_in: HAND, "whether somebody has a hand in its way" "se alguém tem a mão no caminho";
             hurt: DAMAGE, "whether it has hit that hand" "se atingiu essa mão";

@@ -131,7 +131,7 @@ pub(crate) mod dial {
         [60, 72];
         fields {
             to: Form::Reading, "the analogue input that it sets" "a entrada analógica que ele comanda";
-            first: Form::Number(Unit::Permille, 0, 1000, 500), "where it stands at first" "onde ele está no começo";
+            first: Form::Number(Unit::Permille, 0, 1000, 500), "its position at first" "onde ele está no começo";
         }
         values { turned: Slot { by_hand: true, first: Limit::Of("first"), ..SHARE }, "how far it is turned" "quanto está girado"; }
         faults { Stuck Open Short }

@@ -13,7 +13,7 @@ pub(crate) mod light {
             red: Form::MayDrive, "what lights red" "o que acende o vermelho";
             yellow: Form::MayDrive, "what lights yellow" "o que acende o amarelo";
             green: Form::Drive, "what lights green" "o que acende o verde";
-            shows: Form::Choice(&["cars", "walk"]), "for whom it is" "para quem é";
+            shows: Form::Choice(&["cars", "walk"]), "whom it is for" "para quem é";
         }
         values {
             red: FLAG, "whether it is red" "se está vermelho";

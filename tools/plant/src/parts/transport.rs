@@ -28,7 +28,7 @@ pub(crate) mod bin {
         values {
             count: COUNT, "how much has fallen into it" "quanto caiu nela";
             right: COUNT, "how much of that belongs in it" "quanto disso deve estar nela";
-            wrong: COUNT, "how much does not" "quanto não deve";
+            wrong: COUNT, "how much does not belong in it" "quanto não deve estar nela";
         }
         faults { }
     }
@@ -256,10 +256,10 @@ pub(crate) mod pusher {
             is_out: Form::Sense, "the input of the switch at its outer end" "a entrada do fim de curso avançado";
         }
         values {
-            position: SHARE, "how far it is out" "quanto está avançado";
-            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully in" "se está todo recuado";
-            out: FLAG, "whether it is fully out" "se está todo avançado";
-            hits: DAMAGE, "whether something has run into it while it was out" "se algo bateu nele enquanto estava avançado";
+            position: SHARE, "how far it is extended" "quanto está avançado";
+            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully retracted" "se está todo recuado";
+            out: FLAG, "whether it is fully extended" "se está todo avançado";
+            hits: DAMAGE, "whether something has run into it while it was extended" "se algo bateu nele enquanto estava avançado";
             fine: inner(0, 1_000_000), "its position in small steps" "a posição em passos pequenos";
             alone: inner(0, 1), "whether its way was free as it set out" "se o caminho estava livre ao avançar";
         }

@@ -48,7 +48,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("wheel", ""),
             12,
-            "`kind` cannot be \"wheel\"; give \"button\"",
+            "`kind` cannot be \"wheel\"; choose \"button\"",
         ),
         (part("lamp", ""), 10, "`by` is missing; write `by = \"Q1\"`"),
         (part("lamp", "by = 1\n"), 13, "`by` takes another kind"),
@@ -156,7 +156,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("lamp", "by = \"Q2\"\ncolour = \"pink\"\n"),
             14,
-            "`colour` cannot be \"pink\"; give \"green\"",
+            "`colour` cannot be \"pink\"; choose \"green\"",
         ),
         (
             part(
@@ -164,9 +164,9 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
                 "by = \"y.lit\"\n[[part]]\nname = \"y\"\nkind = \"lamp\"\nby = \"x.lit\"\n",
             ),
             10,
-            "in a circle: x → y → x",
+            "in a loop: x → y → x",
         ),
-        (part("lamp", "by = \"x.lit\"\n"), 10, "in a circle: x → x"),
+        (part("lamp", "by = \"x.lit\"\n"), 10, "in a loop: x → x"),
         (
             with("[[never]]\nwhen = \"k.closed AND\"\ntext = \"x\"\n"),
             11,

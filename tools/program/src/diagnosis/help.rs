@@ -92,7 +92,7 @@ fn balance(cause: Cause, lang: Lang) -> Option<&'static str> {
             "escreva 7370 (IF) acima; um IF tem no máximo um 697683 (ELS)",
         ),
         Cause::IfTooDeep => (
-            "join conditions in one rung before one IF, or close an IF by 697868 (END)",
+            "join conditions in one rung before one IF, or close an IF with 697868 (END)",
             "junte as condições em um degrau antes de um só IF, ou feche um IF com 697868 (END)",
         ),
         Cause::IfLeftOpen => (

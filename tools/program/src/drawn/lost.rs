@@ -9,7 +9,7 @@ use unoclp_lang::{Colour, Dialect, Lang};
 pub struct Lost {
     /// Whether it declares types, blocks or arrays, in whose place a drawing has points.
     pub types: bool,
-    /// Whose words it has, in place of those of the norm.
+    /// Whose words it has, in place of those of the standard.
     pub dialect: Option<Dialect>,
     /// Lines of its comments.
     pub comments: Vec<String>,

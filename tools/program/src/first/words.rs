@@ -68,7 +68,7 @@ pub(super) struct Words<'t> {
     places: Vec<(usize, usize)>,
     /// All of them, each once, in upper case.
     all: HashSet<String>,
-    /// Whether something of the norm ends.
+    /// Whether something of the standard ends.
     pub(super) ends: bool,
 }
 

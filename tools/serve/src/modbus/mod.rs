@@ -67,7 +67,7 @@ impl Modbus {
     }
 }
 
-/// Serves these units for ever.
+/// Serves these units forever.
 ///
 /// # Errors
 /// Where the system takes the address away.

@@ -91,7 +91,7 @@ fn many(scale: &Scale, words: &Words) -> [Row; 3] {
         Row {
             what: words
                 .of(
-                    "simulated boards of 32 points, each read twice a second: processors in use",
+                    "simulated boards of 32 points, each read twice a second: processors used",
                     "placas simuladas de 32 pontos, cada uma lida duas vezes por segundo: processadores em uso",
                 )
                 .to_owned(),
@@ -163,7 +163,7 @@ fn beside(few: &Scale, node_red: &Scale, words: &Words) -> [Row; 3] {
         },
         Row {
             what: words
-                .of("so many times as many", "tantas vezes mais")
+                .of("the ratio of the two", "a razão entre os dois")
                 .to_owned(),
             figure: words.number(times, 1),
             target: "≥ 5",
@@ -181,11 +181,11 @@ fn line(of: &Line, words: &Words) -> Row {
     let readings = words.number(of.readings, 0);
     let (what, figure) = match words.lang {
         Lang::En => (
-            format!("a line of {boards} boards at {rate} bits a second: its time that is used"),
-            format!("{used} ({up}/{boards}, bytes alone {bytes}, {readings} boards a second)"),
+            format!("a line of {boards} boards at {rate} bits a second: time in use"),
+            format!("{used} ({up}/{boards}, only bytes {bytes}, {readings} boards a second)"),
         ),
         Lang::Pt => (
-            format!("uma linha de {boards} placas a {rate} bits por segundo: o tempo dela em uso"),
+            format!("uma linha de {boards} placas a {rate} bits por segundo: tempo em uso"),
             format!("{used} ({up}/{boards}, só bytes {bytes}, {readings} placas por segundo)"),
         ),
     };
@@ -244,7 +244,7 @@ const ENGLISH_HEAD: &str = "# Benchmarks of a site
 
 *[Leia em português](site-benchmarks.pt-BR.md)*
 
-This page is written by a program: do not edit it, repeat it.
+A program writes this page: do not edit it, run the benchmark again.
 
 ```
 cargo xtask bench --site
@@ -258,7 +258,7 @@ const PORTUGUESE_HEAD: &str = "# Medições de uma instalação
 
 *[Read in English](site-benchmarks.md)*
 
-Esta página é escrita por um programa: não a edite, repita a medição.
+Um programa escreve esta página: não a edite, repita a medição.
 
 ```
 cargo xtask bench --site
@@ -269,37 +269,37 @@ cargo xtask bench --site
 ";
 
 const ENGLISH: &str = "
-- **The machine.** It has {processors} processors, and the boards are simulated on it too. On average {begin} programs wanted a processor in
-  the minute before, and {end} at the end: beside other work the figures are worse.
+- **The machine.** It has {processors} processors, and also simulates the boards. On average {begin} programs were waiting for or using a processor in
+  the minute before, and {end} at the end. Other load makes the figures worse.
 - **Boards.** A process simulates them behind Modbus TCP, twenty on each line (`tools/cli/examples/scale`). A gateway has 200 of
-  them, as Modbus has 247 units at most; the figures are those of all gateways together. Four of 32 points change from reading to reading,
-  and the history in SQLite takes each change. With each reading a gateway asks whether the board keeps its program still.
-- **Node-RED** 4 with node-red-contrib-modbus 5 reads the same boards at the same pace, one after unoclp in one run: of each board its
-  values and its outputs, by two *Modbus Read* nodes, and a function makes numbers of the registers. It keeps nothing, and does not ask
-  which program the board has. Its nodes use npm's `modbus-serial` in place of their makers' copy, which npm does not have.
-- **A line** is a pseudo-terminal on which each byte takes as long as on wires. Each board is wanted every 10 ms, which no line can do: so
-  somebody always waits for it. *Used* is the time of bytes and of the silences of 3.5 characters that Modbus wants before each answer
-  and each request. Where the system lets it, gateway and line run before what else the machine does (`nice -n -19`).
-- **Trend.** A thousand points change evenly over 30 days (`tools/history/examples/trend.rs`), and are written in the order of time. A
-  trend is the least, the most and the last of each of 600 steps of one point. Each is of another point, and nobody writes meanwhile. It
+  them, because Modbus allows at most 247 units; the figures are those of all gateways together. Four of 32 points change from reading to reading,
+  and the history in SQLite records each change. With each reading a gateway asks whether the board still has its program.
+- **Node-RED** 4 with node-red-contrib-modbus 5 reads the same boards at the same pace, after unoclp in the same run. Two *Modbus Read* nodes per board read
+  its values and outputs, and a function converts the registers to numbers. It stores nothing, and does not ask
+  which program the board has. Its nodes use npm's `modbus-serial` instead of their authors' fork, which is not on npm.
+- **A line** is a pseudo-terminal on which each byte takes as long as on wires. Each board is requested every 10 ms, faster than any line: so
+  a request is always waiting. *Used* is the time of bytes and of the silences of 3.5 characters that Modbus requires before each answer
+  and each request. If the system allows it, gateway and line get a higher priority than everything else (`nice -n -19`).
+- **Trend.** A thousand points change evenly over 30 days (`tools/history/examples/trend.rs`), and are written in order of time. A
+  trend is the lowest, the highest and the last value of one point in each of 600 steps. Each trend is of another point, with no writing meanwhile. It
   reads all samples of its point, so it takes longer for a point that changes more often.
 - **Not measured here:** PostgreSQL.
 ";
 
 const PORTUGUESE: &str = "
-- **A máquina** tem {processors} processadores, e as placas também são simuladas nela. Em média {begin} programas queriam um processador no
-  minuto anterior, e {end} no fim: ao lado de outro trabalho os números pioram.
+- **A máquina** tem {processors} processadores, e as placas também são simuladas nela. Em média {begin} programas usavam ou esperavam um processador no
+  minuto anterior, e {end} no fim. Com outra carga os números pioram.
 - **Placas.** Um processo as simula por Modbus TCP, vinte em cada linha (`tools/cli/examples/scale`). Um gateway tem 200 delas, pois o
-  Modbus tem no máximo 247 unidades; os números são os de todos os gateways juntos. Quatro de 32 pontos mudam de leitura a leitura, e o
-  histórico em SQLite recebe cada mudança. A cada leitura o gateway pergunta se a placa ainda tem o seu programa.
-- **O Node-RED** 4 com node-red-contrib-modbus 5 lê as mesmas placas no mesmo ritmo, depois do unoclp e na mesma execução: de cada placa
-  os valores e as saídas, por dois nós *Modbus Read*, e uma função faz números dos registradores. Ele não guarda nada, e não pergunta que
-  programa a placa tem. Os nós usam o `modbus-serial` do npm no lugar da cópia de seus autores, que o npm não tem.
-- **Uma linha** é um pseudoterminal em que cada byte leva o tempo que leva nos fios. Cada placa é pedida a cada 10 ms, o que nenhuma linha
-  alcança: assim sempre há alguém à espera. *Em uso* é o tempo dos bytes e dos silêncios de 3,5 caracteres que o Modbus pede antes de cada
-  resposta e de cada pergunta. Onde o sistema deixa, gateway e linha passam na frente do resto da máquina (`nice -n -19`).
-- **Tendência.** Mil pontos mudam por igual ao longo de 30 dias (`tools/history/examples/trend.rs`), gravados na ordem do tempo. Uma
-  tendência é o menor, o maior e o último valor de cada um de 600 passos de um ponto. Cada uma é de outro ponto, e ninguém grava ao mesmo
-  tempo. Ela lê todas as amostras do ponto, e leva mais tempo para um ponto que muda mais vezes.
+  Modbus tem no máximo 247 unidades; os números são os de todos os gateways juntos. Quatro de 32 pontos mudam de uma leitura para outra, e o
+  histórico em SQLite registra cada mudança. A cada leitura o gateway pergunta se a placa ainda tem o seu programa.
+- **O Node-RED** 4 com node-red-contrib-modbus 5 lê as mesmas placas no mesmo ritmo, depois do unoclp e na mesma execução. Dois nós *Modbus Read* por placa
+  leem os valores e as saídas, e uma função converte os registradores em números. Ele não guarda nada, e não pergunta que
+  programa a placa tem. Os nós usam o `modbus-serial` do npm no lugar do fork dos autores, que não está no npm.
+- **Uma linha** é um pseudoterminal em que cada byte leva o tempo que leva nos fios. Cada placa é lida a cada 10 ms, mais rápido que qualquer linha:
+  assim sempre há um pedido na fila. *Em uso* é o tempo dos bytes e dos silêncios de 3,5 caracteres que o Modbus pede antes de cada
+  resposta e de cada pergunta. Se o sistema permite, gateway e linha têm prioridade sobre todo o resto (`nice -n -19`).
+- **Tendência.** Mil pontos mudam uniformemente ao longo de 30 dias (`tools/history/examples/trend.rs`), gravados em ordem de tempo. Uma
+  tendência é o menor, o maior e o último valor de um ponto em cada um de 600 passos. Cada tendência é de outro ponto, sem gravações ao mesmo
+  tempo. Ela lê todas as amostras do ponto, e demora mais para um ponto que muda mais vezes.
 - **Não medido aqui:** o PostgreSQL.
 ";

@@ -26,6 +26,25 @@ fn operations_come_to_these_codes_and_pictures() {
     assert!(cases > 20, "{cases}");
 }
 
+/// Each branch stands beside the last element of the path before: the 65th would be too deep to be drawn.
+#[test]
+fn branches_stand_only_so_deep_in_each_other() {
+    let mut editor = Editor::new(Document::new());
+    let deep = (0..99).take_while(|_| {
+        for element in ["behind I1", "behind I2"] {
+            editor.apply(&read(element, &editor)).unwrap();
+        }
+        match editor.apply(&Operation::Branch) {
+            Ok(()) => true,
+            Err(refusal) => {
+                assert_eq!(refusal, Refusal::TooDeep);
+                false
+            }
+        }
+    });
+    assert_eq!(deep.count(), 64);
+}
+
 /// The case as it turns out: its heading and its operations, and what they come to.
 fn carry_out(case: &str) -> String {
     let mut editor = Editor::new(Document::new());

@@ -11,14 +11,14 @@ mod variables;
 use super::frame;
 use super::xml::escaped;
 use std::fmt::Write as _;
-use unoclp_lang::outline::{Outline, Unit, outline};
+use unoclp_lang::parts::{Parts, Unit, parts};
 use unoclp_lang::typed::UnitKind;
 use unoclp_sfc::Document;
 
 /// A text in Structured Text as a project that goes by this name; [`import`](crate::import) makes the same program of it. It
 /// says no date of its own. Comments between its units are left out.
 pub fn export_text(text: &str, name: &str) -> String {
-    let parts = outline(text);
+    let parts = parts(text);
     let mut charts = Document::all(text).into_iter();
     let mut pous = String::new();
     for unit in &parts.units {
@@ -44,7 +44,7 @@ pub(crate) fn chart_body(chart: &Document) -> String {
 }
 
 /// The programs, in the order in which they run.
-fn runs(parts: &Outline) -> String {
+fn runs(parts: &Parts) -> String {
     let programs = parts
         .units
         .iter()

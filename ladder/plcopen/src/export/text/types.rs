@@ -3,14 +3,14 @@
 use super::super::xml::escaped;
 use crate::comments::without;
 use std::fmt::Write as _;
-use unoclp_lang::outline::Outline;
+use unoclp_lang::parts::Parts;
 use unoclp_lang::typed::Base;
 
 /// Types stand no deeper within each other.
 const DEEPEST: usize = 40;
 
 /// The types that a text declares.
-pub(super) fn all(text: &str, parts: &Outline) -> String {
+pub(super) fn all(text: &str, parts: &Parts) -> String {
     if parts.types.is_empty() {
         return "    <dataTypes/>\n".to_owned();
     }
@@ -193,7 +193,7 @@ fn is_number(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// What stands before the bracket that closes one, and after it.
+/// What is before the bracket that closes one, and after it.
 fn within(text: &str, close: char) -> Option<(&str, &str)> {
     let (mut depth, mut quote) = (0_usize, None);
     for (at, c) in text.char_indices() {
@@ -212,7 +212,7 @@ fn within(text: &str, close: char) -> Option<(&str, &str)> {
     None
 }
 
-/// The parts of a list, at signs that stand in no bracket, text or structure.
+/// The parts of a list, at signs that are in no bracket, text or structure.
 fn parts(text: &str, sign: char) -> Vec<&str> {
     let (mut depth, mut quote, mut from) = (0_usize, None, 0);
     let mut all = Vec::new();

@@ -3,11 +3,11 @@
 use super::super::xml::escaped;
 use super::types;
 use std::fmt::Write as _;
-use unoclp_lang::outline::{Outline, Variables};
+use unoclp_lang::parts::{Parts, Variables};
 use unoclp_lang::typed::build::Section;
 
 /// The global variables of a text, as those of the resource.
-pub(super) fn globals(text: &str, parts: &Outline) -> String {
+pub(super) fn globals(text: &str, parts: &Parts) -> String {
     let mut all = String::new();
     parts
         .globals

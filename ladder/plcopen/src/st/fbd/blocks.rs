@@ -39,7 +39,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         Some(vec![piece(&name, place)])
     }
 
-    /// Computes a block once; none where something is wrong, which is told.
+    /// Computes a block once; none, with a message, where something is wrong.
     pub(super) fn computed(&mut self, at: usize) -> Option<()> {
         if let Some(fine) = self.begun.get(&at) {
             return fine.then_some(());

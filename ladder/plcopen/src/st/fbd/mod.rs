@@ -95,7 +95,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
     }
 }
 
-/// A value that may stand beside an operator.
+/// A value that may be beside an operator.
 fn grouped(value: Vec<Piece>, is_beside: bool) -> Vec<Piece> {
     let (Some((_, first)), true) = (value.first(), is_beside && value.len() > 1) else {
         return value;

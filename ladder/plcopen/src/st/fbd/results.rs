@@ -14,7 +14,7 @@ use unoclp_lang::typed::usual;
 const MANY: [&str; 5] = ["ADD", "MUL", "AND", "OR", "XOR"];
 
 impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
-    /// Whether the result of a function has to stand in a variable: it is taken more than once, or other than right
+    /// Whether the result of a function has to be in a variable: it is taken more than once, or other than right
     /// after it is computed.
     pub(super) fn is_result_kept(&self, at: usize) -> bool {
         if !self.own[at].is_function() {

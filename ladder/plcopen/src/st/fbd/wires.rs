@@ -103,7 +103,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
     }
 
-    /// Goes into an element; none where wires alone have led back to it, or too deep, which is told.
+    /// Goes into an element; none where wires alone have led back to it, or too deep, which is reported.
     pub(super) fn entered(&mut self, at: usize) -> Option<()> {
         let after_block = self.walk.open.get(self.since..).unwrap_or_default();
         if after_block.contains(&at) {

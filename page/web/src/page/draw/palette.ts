@@ -17,7 +17,7 @@ export function palette(shelves: readonly Shelf[], chosen: Chosen): HTMLElement 
   const button = (item: Shelf["items"][number]): HTMLElement => {
     const name = told(item.name);
     const title = item.key ? `${name} (${item.key.toUpperCase()})` : name;
-    const one = h("button", { type: "button", "data-what": item.id, title }, h("span", { "aria-hidden": "true" }, item.face), h("span", { class: "hidden" }, name));
+    const one = h("button", { type: "button", "data-what": item.id, title }, h("span", { "aria-hidden": "true", class: isBox(item.face) ? "boxed" : "" }, item.face), h("span", { class: "hidden" }, name));
     carry(one, () => item.face, { click: () => chosen.insert(item.id), drop: (at, place) => chosen.carried.put(item.id, at, place) }, chosen.carried);
     return one;
   };
@@ -34,4 +34,9 @@ export function palette(shelves: readonly Shelf[], chosen: Chosen): HTMLElement 
     root.setAttribute("aria-label", say("palette"));
   });
   return root;
+}
+
+/** Whether an element is drawn as a box: of a contact or a coil its face has the signs. */
+function isBox(face: string): boolean {
+  return !/[┤├()]/.test(face);
 }

@@ -155,14 +155,19 @@ export class Session {
 
   /** Opens a drawing, or a text that was never drawn in. */
   private async open(kept: Drawing | null, text: Text): Promise<void> {
-    let drawing = kept ?? { name: text.name, base: text, log: [], text: text.text };
-    let drawn: Drawn;
+    const anew: Drawing = { name: text.name, base: text, log: [], text: text.text };
+    let drawing = kept ?? anew;
+    let drawn: Drawn | null = null;
     try {
       drawn = await this.tools.ask("draw", { base: drawing.base, log: drawing.log, ...this.shown });
     } catch (error) {
-      if (!(error instanceof Refusal) || drawing.log.length === 0) throw error;
+      if (!(error instanceof Refusal) || kept === null) throw error;
+    }
+    // A file may say of a drawing what it is not.
+    const isOther = drawn !== null && drawn.text !== null && drawn.text !== text.text && drawing.base.text !== text.text;
+    if (drawn === null || isOther) {
       // What was kept fits no longer; the text does.
-      drawing = { name: text.name, base: text, log: [], text: text.text };
+      drawing = anew;
       drawn = await this.tools.ask("draw", { base: text, log: [], ...this.shown });
     }
     // Nothing but its text is the program's.

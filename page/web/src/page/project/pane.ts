@@ -15,7 +15,7 @@ import { Table } from "./table";
 /** What is changed of a unit. */
 export type Altered = Pick<Ask<"alter">, "what" | "at" | "to">;
 
-/** How the norm calls a unit. */
+/** How the standard calls a unit. */
 const KINDS: Readonly<Record<string, string>> = { program: "PROGRAM", functionBlock: "FUNCTION_BLOCK", function: "FUNCTION" };
 
 export class ProjectPane {

@@ -6,7 +6,7 @@ import { speak, told } from "../../words/words";
 import { h } from "../dom";
 import type { Altered } from "./pane";
 
-/** How the norm calls a section. */
+/** How the standard calls a section. */
 const SECTIONS: Readonly<Record<string, string>> = {
   localVars: "VAR", inputVars: "VAR_INPUT", outputVars: "VAR_OUTPUT", inOutVars: "VAR_IN_OUT", externalVars: "VAR_EXTERNAL", tempVars: "VAR_TEMP", globalVars: "VAR_GLOBAL",
 };

@@ -32,7 +32,7 @@ pub struct Course {
 }
 
 impl Course {
-    /// That of an exercise, or of a folder of them. Nothing where the machine of the only one is wrong, which is told.
+    /// That of an exercise, or of a folder of them. Nothing where the machine of the only one is wrong, which is reported.
     ///
     /// # Errors
     /// If the exercise is wrong, or the folder has none.
@@ -52,7 +52,7 @@ impl Course {
         let exercise = Exercise::load(path, board);
         let exercise = exercise.map_err(|error| anyhow!(error.text(messages::spoken())))?;
         let plant = match &exercise.plant {
-            Some(path) => match machine(path, board)? {
+            Some(path) => match machine(path, exercise.board)? {
                 Some(plant) => Some(plant),
                 None => return Ok(None),
             },
@@ -118,7 +118,7 @@ fn task(path: &Path, key: String, board: Board) -> Result<Task, String> {
     let plant = exercise.plant.as_ref().map(|path| {
         let text = fs::read_to_string(path);
         let text = text.map_err(|why| messages::cannot_read(shown(path), messages::io(&why)))?;
-        unoclp_plant::read(&text, board).map_err(|mistakes| {
+        unoclp_plant::read(&text, exercise.board).map_err(|mistakes| {
             let first = mistakes.first();
             first.map_or_else(String::new, |one| one.text(&shown(path), speak))
         })

@@ -3,7 +3,7 @@
 //! - `course`: the exercises
 //! - `files`: which programs those are
 //! - `handin`: what a student has handed in from the page
-//! - `row`: what came of one
+//! - `row`: the result of one
 //! - `school`: whose it is
 //! - `shared`: many at a time
 //! - `table`, `sheet`, `page`: the rows for a terminal, for a spreadsheet, and with diagrams for a browser

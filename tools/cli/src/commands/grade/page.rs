@@ -1,4 +1,4 @@
-//! The rows as a page for a browser or a printer, which needs nothing but itself.
+//! The rows as a page for a browser or a printer, which needs no other file.
 
 use super::course::{Course, Task};
 use super::row::{Fail, Row, Shown, Work};

@@ -1,4 +1,4 @@
-//! What came of a program.
+//! The result of a program.
 
 use super::super::plant::what_first;
 use super::super::wording::Wording;
@@ -99,7 +99,7 @@ impl<'c> Row<'c> {
     pub fn of_program(file: ProgramFile, wording: &Wording, course: &'c Course) -> Row<'c> {
         let ProgramFile { name, bytes } = file;
         match course.only() {
-            Some(task) => Row::of(wording.of(name, bytes), task),
+            Some(task) => Row::of(wording.on(task.exercise.board).of(name, bytes), task),
             None => {
                 let path = Path::new(&name).to_owned();
                 Row::not_graded(&path, messages::which_exercise())
@@ -119,7 +119,10 @@ impl<'c> Row<'c> {
             Err(why) => return Row::not_graded(path, why),
         };
         let mut row = match course.named(&exercise) {
-            Some(task) => Row::of(wording.of(name, text.into_bytes()), task),
+            Some(task) => Row::of(
+                wording.on(task.exercise.board).of(name, text.into_bytes()),
+                task,
+            ),
             None => Row::not_graded(path, messages::other_exercise(&exercise)),
         };
         row.file = shown(path);

@@ -1,11 +1,11 @@
-//! Whose the rows are.
+//! The students that the rows belong to.
 //!
-//! Owns how a student is told from another. Must not know what a row is worth.
+//! Owns how students are distinguished. Must not know what a row is worth.
 
 use super::row::Row;
 use std::path::Path;
 
-/// What stands in the name of a folder in which Moodle hands out what was handed in: `Ana Lima_4711_assignsubmission_file`.
+/// What is in the name of a folder in which Moodle hands out what was handed in: `Ana Lima_4711_assignsubmission_file`.
 const MOODLE: &str = "_assignsubmission_";
 
 /// A student, as far as files tell.

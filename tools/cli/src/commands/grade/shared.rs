@@ -1,4 +1,4 @@
-//! One thing done to many, by as many threads as the computer has processors.
+//! The same work on many items, with one thread per processor.
 //!
 //! Owns how the work is shared. Must not know what is done.
 

@@ -1,6 +1,6 @@
 //! Instruction List and numeric code, run as the board runs them.
 
-use super::super::open::{check_written, running};
+use super::super::open::{checked, running};
 use super::ran::{Ran, Row};
 use super::what::{What, Work, find};
 use crate::messages;
@@ -12,22 +12,22 @@ use unoclp_host_sim::engine::Machine;
 use unoclp_lang as lang;
 use unoclp_lang::typed::{Base, Value};
 use unoclp_point::Address;
-use unoclp_program::{Written, point_names, used};
+use unoclp_program::{Written, used};
 
 /// Runs a program; none where it has faults or a scan jumps back too often, which has been told.
 pub(super) fn run(arguments: &What, written: Written) -> anyhow::Result<Option<Ran>> {
-    let check = |written| check_written(written, &arguments.wording, arguments.shown());
-    let Some(source) = check(written)? else {
+    let wording = &arguments.wording;
+    let analysis = wording.workspace().open(written);
+    let Some(source) = checked(&analysis, wording, arguments.shown())? else {
         return Ok(None);
     };
-    let names = point_names(&source);
     // What runs leaves its text behind.
     let copy = source
         .checked
         .copy()
         .map_err(|fault| anyhow!(messages::fault(fault.cause)))?;
     let mut machine = Machine::new(copy);
-    let points = points(&machine, &source.size.used, &names);
+    let points = points(&machine, &source.size.used, source.symbols());
     let mut inputs = Inputs::default();
     for (name, written) in arguments.settings()? {
         let names = points

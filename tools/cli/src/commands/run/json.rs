@@ -1,4 +1,4 @@
-//! What a run has come to, for a program: one object.
+//! The result of a run, for a program: one object.
 
 use super::ran::{Ran, Row};
 use unoclp_lang::typed::{Base, Value};

@@ -1,8 +1,8 @@
-//! What a run has come to.
+//! The result of a run.
 
 use unoclp_lang::typed::{Base, Value};
 
-/// What a run has come to.
+/// The result of a run.
 pub struct Ran {
     pub scans: u32,
     pub printed: Vec<(Value, Base)>,

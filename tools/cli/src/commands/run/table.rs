@@ -1,4 +1,4 @@
-//! What a run has come to, for a person: what was printed, and the symbols in columns.
+//! The result of a run, for a person: what was printed, and the symbols in columns.
 
 use super::ran::Ran;
 use crate::messages;

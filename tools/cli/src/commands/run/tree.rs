@@ -30,7 +30,8 @@ pub(super) fn run(
         text: decode(&written.bytes),
         name: written.name,
     };
-    let CheckedText { tree, diagnostics } = lang::check(&text.text, language, board);
+    let (CheckedText { tree, diagnostics }, on_board) =
+        lang::check_placed(&text.text, language, board);
     let shown = lang::show(
         &text.name,
         &text.text,
@@ -71,7 +72,6 @@ pub(super) fn run(
     if let Some(at) = machine.failed() {
         eprintln!("{}", placed(&text, at, messages::not_computed));
     }
-    let on_board = lang::compile_text(&text.text, language, board).variables;
     let mut on_board = on_board.iter();
     let symbols = tree.symbols.iter();
     let symbols = symbols.map(|symbol| row(&machine, symbol, on_board.next()));

@@ -4,7 +4,7 @@ use super::*;
 
 /// A monitor of this program, whose board has these registers, with its first input and its second marker at 1.
 fn showing_typed(name: &str, text: &str, registers: &[i32]) -> App {
-    let program = Program::new(source(name, text));
+    let program = Program::new(source(name, text)).unwrap();
     let kept = program.kept;
     let mut app = app(Some(program));
     app.hear(News::Read(Box::new(Reading {
@@ -58,7 +58,7 @@ fn a_board_shows_what_print_marks_first() {
 
 #[test]
 fn a_board_with_another_program_shows_no_variables() {
-    let program = Program::new(source("x.lce", "V0 := V0 + 1;"));
+    let program = Program::new(source("x.lce", "V0 := V0 + 1;")).unwrap();
     let mut app = app(Some(program));
     app.hear(News::Read(Box::new(reading())));
     let shown = screen(&mut app, 80, 24);

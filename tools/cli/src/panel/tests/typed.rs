@@ -28,7 +28,7 @@ lamp := pause.Q OR parts.Q;
 
 #[test]
 fn variables_have_their_names_and_types() {
-    let mut app = App::new(source("tank.st", TANK));
+    let mut app = App::new(source("tank.st", TANK)).unwrap();
     press(&mut app, '1');
     advance(&mut app, 1);
     let shown = screen(&mut app, 80, 24);
@@ -68,7 +68,7 @@ fn what_print_marks_is_watched_first() {
     let plain = block
         .replace("PRINT(half);", "")
         .replace("PRINT(n); PRINT(odd);", "");
-    let mut app = App::new(source("print.iscl", block));
+    let mut app = App::new(source("print.iscl", block)).unwrap();
     let marked = source("print.iscl", block);
     assert_eq!(
         marked.size.codes,
@@ -90,7 +90,7 @@ fn what_print_marks_is_watched_first() {
 #[test]
 fn variables_of_lce_have_their_own_names_and_hold_what_was_written_last() {
     let text = "clp x\nvar V0 = nivel; Q0.1 = bomba;\nnivel := nivel + 2;\nse (I0.0) { V1 R:= 2.5; liga bomba; } senao { V1 := 7; }\nfim\n";
-    let mut app = App::new(source("x.lce", text));
+    let mut app = App::new(source("x.lce", text)).unwrap();
     advance(&mut app, 1);
     let shown = screen(&mut app, 80, 24).join("\n");
     assert!(shown.contains("\n nivel 4   V1 7\n"), "{shown}");
@@ -105,7 +105,7 @@ fn variables_of_lce_have_their_own_names_and_hold_what_was_written_last() {
 #[test]
 fn a_chart_is_shown_with_its_active_steps() {
     let text = include_str!("../../../../../programs/charts/filling.st");
-    let mut app = App::new(source("filling.st", text));
+    let mut app = App::new(source("filling.st", text)).unwrap();
     advance(&mut app, 1);
     let shown = screen(&mut app, 80, 50).join("\n");
     assert!(shown.contains("─ Chart: ● Wait ─"), "{shown}");

@@ -15,7 +15,7 @@ use unoclp_tree::build::Section;
 
 /// A text by its parts.
 #[derive(Clone, Debug, Default)]
-pub struct Outline {
+pub struct Parts {
     /// The types that it declares: the name, the type, the first value.
     pub types: Vec<(Name, Span, Option<Span>)>,
     /// Its sections of global variables.
@@ -81,18 +81,18 @@ pub struct Written {
 }
 
 /// The parts of a text in Structured Text, as far as they can be told.
-pub fn outline(text: &str) -> Outline {
+pub fn parts(text: &str) -> Parts {
     let mut found = Found::default();
     let (file, _) = parse(text, Dialect::Iec, &mut found);
     let words = Words::of(text);
-    Outline {
+    Parts {
         types: file.types.iter().map(|ty| words.type_of(ty)).collect(),
         globals: file.globals.iter().map(|of| words.section(of)).collect(),
         units: units(&file, &words),
     }
 }
 
-/// Whether a text may hold a chart: only such a text is worth its outline.
+/// Whether a text may hold a chart: only such a text is worth its parts.
 pub fn may_hold_chart(text: &str) -> bool {
     let word = "INITIAL_STEP";
     let mut windows = text.as_bytes().windows(word.len());

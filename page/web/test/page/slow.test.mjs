@@ -1,0 +1,164 @@
+// A scan in slow motion, on the firmware of the simulated board and on this computer.
+// @ts-check
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Lab, clean, lamp, pick, run, select, type } from "./harness.mjs";
+
+/** Two rungs: line 1 and 2, line 4 to 6; line 3 makes no code. */
+const PROGRAM = `LD I1
+ST Q1
+(* the second *)
+LD I2
+ANDN I3
+ST Q2
+`;
+
+/** @type {Lab} */
+let lab;
+before(async () => (lab = await Lab.begin()));
+after(() => lab.end());
+
+/** Where it stands, in words. @param {import("playwright-core").Page} page @param {RegExp} says */
+const stands = (page, says) => page.locator("#slow-state", { hasText: says }).waitFor();
+
+/** Closes the contact of input 1, or opens it. @param {import("playwright-core").Page} page */
+const latch = (page) => page.locator('[data-input="1"]').click({ modifiers: ["Shift"] });
+
+/** A page whose board runs a program, in slow motion. @param {string} text @param {string} name */
+async function slow(text = PROGRAM, name = "slow.il", first = 1) {
+  const page = await lab.open();
+  await type(page, text, name);
+  await run(page);
+  await page.locator("#ladder svg.live").waitFor();
+  await pick(page, "#slow-motion");
+  await stands(page, new RegExp(`Next: line ${first}\\.`));
+  return page;
+}
+
+test("element by element, by the mouse: power moves as the engine goes, and images stand beside pins", async () => {
+  const page = await slow();
+  // The engine has fetched nothing yet: no wire behind the first contact has power.
+  assert.equal(await page.locator("#ladder .element.slow-here").count() > 0, true);
+  // Pressed in the middle of a scan: at the pin, and not in the image.
+  await latch(page);
+  await page.click("#slow-element");
+  await stands(page, /Next: line 2\. The accumulator is 0/);
+  assert.equal(await page.locator("#slow-acc").textContent(), "0");
+  await page.click("#slow-end");
+  await stands(page, /The scan is over/);
+  // The next scan has it.
+  await page.click("#slow-element");
+  await stands(page, /Next: line 1/);
+  assert.equal(await page.locator("#slow-I tbody tr").first().locator("td").allTextContents().then((cells) => cells.join()), "1,1");
+  await page.click("#slow-element");
+  await stands(page, /Next: line 2\. The accumulator is 1/);
+  // The coil has been written to the image, and not to the pin.
+  await page.click("#slow-rung");
+  await stands(page, /Next: line 4/);
+  assert.equal(await page.locator("#slow-Q tbody tr").first().locator("td").allTextContents().then((cells) => cells.join()), "1,0");
+  await lamp(page, 1, false);
+  await page.click("#slow-end");
+  await stands(page, /The scan is over/);
+  await lamp(page, 1, true);
+  await clean(page, "slow motion");
+  await page.click("#slow-close");
+  await page.locator("#slow").waitFor({ state: "hidden" });
+  // The board goes on.
+  await latch(page);
+  await lamp(page, 1, false);
+  await page.context().close();
+});
+
+test("power has come as far as the engine, between contacts that it runs at once too", async () => {
+  const page = await lab.open();
+  await type(page, "LD I1\nOR Q1\nANDN I2\nST Q1\n", "slow.il");
+  await run(page);
+  await page.locator("#ladder svg.live").waitFor();
+  await latch(page);
+  await lamp(page, 1, true);
+  await pick(page, "#slow-motion");
+  await stands(page, /Next: line 1/);
+  const lit = async () => (await page.locator("#ladder .element.on").evaluateAll((all) => all.map((one) => one.getAttribute("data-point")))).join();
+  await page.waitForFunction(() => document.querySelectorAll("#ladder .element.on").length === 0);
+  await page.keyboard.press("F10");
+  await stands(page, /Next: line 3/);
+  assert.equal(await lit(), "I1,Q1");
+  await page.keyboard.press("F10");
+  await stands(page, /Next: line 4/);
+  assert.equal(await lit(), "I1,I2,Q1");
+  await page.context().close();
+});
+
+test("by the keyboard: by lines, a breakpoint on a line without code, to here, and on", async () => {
+  const page = await slow();
+  await page.keyboard.press("Alt+F10");
+  await stands(page, /Next: line 2/);
+  await page.keyboard.press("Alt+F10");
+  await stands(page, /Next: line 4/);
+  // The comment makes no code: the next line that does is told.
+  await page.locator(".cm-line").nth(2).click();
+  await page.keyboard.press("F9");
+  await page.locator("#notes", { hasText: "Line 3 makes no code. The breakpoint is on line 4." }).waitFor();
+  assert.equal(await page.locator(".slow-breaks button").count(), 1);
+  await page.keyboard.press("F4");
+  await stands(page, /Next: line 4/);
+  // To where the cursor is: once round through the end of the scan.
+  await page.locator(".cm-line").nth(1).click();
+  await page.keyboard.press("Control+F9");
+  await stands(page, /Next: line 2/);
+  await page.keyboard.press("Control+F8");
+  await stands(page, /The scan is over/);
+  await page.click(".slow-breaks button");
+  assert.equal(await page.locator(".slow-breaks button").count(), 0);
+  await page.context().close();
+});
+
+test("a program that is changed while it stands is let go, and what was written stays", async () => {
+  const page = await slow();
+  await page.locator(".cm-line").nth(4).click();
+  await page.keyboard.press("End");
+  await page.keyboard.type(" (* more *)");
+  await page.locator("#notes", { hasText: "The program has changed" }).waitFor();
+  assert.match(await page.locator(".cm-content").innerText(), /ANDN I3 \(\* more \*\)/);
+  // The board runs on.
+  await latch(page);
+  await lamp(page, 1, true);
+  await page.context().close();
+});
+
+test("Structured Text goes statement by statement, with the values", async () => {
+  const page = await slow("PROGRAM p\nVAR a AT %MD1 : DINT; END_VAR\na := 3;\na := a * 7;\n%QX0.0 := a > 20;\nEND_PROGRAM\n", "slow.st", 3);
+  await page.keyboard.press("Alt+F10");
+  await stands(page, /Next: line 4/);
+  assert.equal(await page.locator("#slow-value").textContent(), "3");
+  await page.keyboard.press("Alt+F10");
+  await stands(page, /Next: line 5/);
+  assert.equal(await page.locator("#slow-value").textContent(), "21");
+  // The values stand beside the statements that have been run, and beside no other.
+  assert.deepEqual(await page.locator(".cm-state .cm-gutterElement span").allTextContents(), ["= 3", "= 21"]);
+  await page.keyboard.press("Control+F8");
+  await stands(page, /The scan is over/);
+  await lamp(page, 1, true);
+  await page.context().close();
+});
+
+test("this computer goes slowly too", async () => {
+  const page = await lab.open();
+  await type(page, PROGRAM, "slow.il");
+  await select(page, "#for-board", "pc");
+  await run(page);
+  await pick(page, "#slow-motion");
+  await stands(page, /Next: line 1/);
+  await latch(page);
+  await page.keyboard.press("Control+F8");
+  await stands(page, /The scan is over/);
+  await page.keyboard.press("F10");
+  await page.keyboard.press("F10");
+  await stands(page, /The accumulator is 1/);
+  await page.keyboard.press("F4");
+  await stands(page, /is running/);
+  await page.click("#slow-close");
+  await lamp(page, 1, true);
+  await page.context().close();
+});
