@@ -2,10 +2,11 @@
 
 use unoclp_checked::numeric;
 use unoclp_core::{Board, Loader};
+use unoclp_draw::edit::{Document, Drawn};
 use unoclp_draw::{Ladder, Medium, Names, Style, listing, to_svg};
 use unoclp_point::Address;
 
-/// Draws the codes of one rung.
+/// Draws the codes of one rung; in the editor's document they look the same.
 fn drawn(codes: &str, names: &[(Address, &str)], width: usize) -> String {
     let file = format!("0\n{}\n", codes.replace(' ', "\n"));
     let mut memory = vec![0; 2_000];
@@ -22,7 +23,13 @@ fn drawn(codes: &str, names: &[(Address, &str)], width: usize) -> String {
         names: &names,
         medium: Medium::PLAIN,
     });
-    drawing.rungs[0].to_string()
+    let picture = drawing.rungs[0].to_string();
+    let document = Drawn::of(&Document::of_steps(program.steps()));
+    let edited = document.draw(width, &names);
+    // The editor shows where an element can still be put.
+    let edited = edited.rungs[0].to_string().replace("┤ ? ├", "─────");
+    assert_eq!(edited, picture, "{codes}");
+    picture
 }
 
 #[test]
@@ -112,6 +119,10 @@ fn each_form_of_code_has_its_picture() {
 │          ├──────────────────────────────┤NOT├──>> L1─┤
 │          ├─────────────────────────────────────<RET>─┤
 │          └──────────────────────────────┤NOT├──<RET>─┤
+"),
+        ("a block move and a drum", "827301 77798601 6803 2 68827702 2 1000 11", "\
+├──┤ I1 ├──[ MOV D1-2 to D3-4 ]────────[ DRM D2 ]──────┤
+│                                        0:1000 1:0011 │
 "),
         ("a rung without an output", "827301", "\
 ├──┤ I1 ├                                              │
