@@ -24,8 +24,13 @@ fn drawn(codes: &str, names: &[(Address, &str)], width: usize) -> String {
         medium: Medium::PLAIN,
     });
     let picture = drawing.rungs[0].to_string();
-    let document = Drawn::of(&Document::of_steps(program.steps()));
-    let edited = document.draw(width, &names);
+    let document = Document::of_steps(program.steps());
+    let back: Vec<String> = (document.codes().unwrap().iter().skip(1))
+        .map(i32::to_string)
+        .collect();
+    assert_eq!(back.join(" "), codes);
+    let edited = Drawn::of(&document);
+    let edited = edited.draw(width, &names);
     // The editor shows where an element can still be put.
     let edited = edited.rungs[0].to_string().replace("┤ ? ├", "─────");
     assert_eq!(edited, picture, "{codes}");
@@ -69,6 +74,11 @@ fn each_form_of_code_has_its_picture() {
         ("a point that nothing begins at",
          "827301 404102 404102 877901", "\
 ├──┤ I1 ├──•2──•2.2─────────────────────────────( Q1 )─┤
+"),
+        ("a point that nothing begins at keeps its number from others",
+         "827301 404101 827302 404102 827303 40 404102 827304 41 877901", "\
+├──┤ I1 ├──•1──┤ I2 ├──┬──┤ I3 ├──┬─────────────( Q1 )─┤
+│                      └──┤ I4 ├──┘                    │
 "),
         ("a block that is nothing but its contents in series",
          "827301 6540 827302 40 -827303 41 41 877901", "\
