@@ -2,10 +2,11 @@
 
 use unoclp_checked::numeric;
 use unoclp_core::{Board, Loader};
+use unoclp_draw::edit::{Document, Drawn};
 use unoclp_draw::{Ladder, Medium, Names, Style, listing, to_svg};
 use unoclp_point::Address;
 
-/// Draws the codes of one rung.
+/// Draws the codes of one rung; in the editor's document they look the same.
 fn drawn(codes: &str, names: &[(Address, &str)], width: usize) -> String {
     let file = format!("0\n{}\n", codes.replace(' ', "\n"));
     let mut memory = vec![0; 2_000];
@@ -22,7 +23,18 @@ fn drawn(codes: &str, names: &[(Address, &str)], width: usize) -> String {
         names: &names,
         medium: Medium::PLAIN,
     });
-    drawing.rungs[0].to_string()
+    let picture = drawing.rungs[0].to_string();
+    let document = Document::of_steps(program.steps());
+    let back: Vec<String> = (document.codes().unwrap().iter().skip(1))
+        .map(i32::to_string)
+        .collect();
+    assert_eq!(back.join(" "), codes);
+    let edited = Drawn::of(&document);
+    let edited = edited.draw(width, &names);
+    // The editor shows where an element can still be put.
+    let edited = edited.rungs[0].to_string().replace("┤ ? ├", "─────");
+    assert_eq!(edited, picture, "{codes}");
+    picture
 }
 
 #[test]
@@ -62,6 +74,11 @@ fn each_form_of_code_has_its_picture() {
         ("a point that nothing begins at",
          "827301 404102 404102 877901", "\
 ├──┤ I1 ├──•2──•2.2─────────────────────────────( Q1 )─┤
+"),
+        ("a point that nothing begins at keeps its number from others",
+         "827301 404101 827302 404102 827303 40 404102 827304 41 877901", "\
+├──┤ I1 ├──•1──┤ I2 ├──┬──┤ I3 ├──┬─────────────( Q1 )─┤
+│                      └──┤ I4 ├──┘                    │
 "),
         ("a block that is nothing but its contents in series",
          "827301 6540 827302 40 -827303 41 41 877901", "\
@@ -112,6 +129,10 @@ fn each_form_of_code_has_its_picture() {
 │          ├──────────────────────────────┤NOT├──>> L1─┤
 │          ├─────────────────────────────────────<RET>─┤
 │          └──────────────────────────────┤NOT├──<RET>─┤
+"),
+        ("a block move and a drum", "827301 77798601 6803 2 68827702 2 1000 11", "\
+├──┤ I1 ├──[ MOV D1-2 to D3-4 ]────────[ DRM D2 ]──────┤
+│                                        0:1000 1:0011 │
 "),
         ("a rung without an output", "827301", "\
 ├──┤ I1 ├                                              │

@@ -10,3 +10,4 @@ mod read;
 mod requests;
 mod upload;
 mod watch;
+mod words;

@@ -7,6 +7,7 @@ use unoclp_client::lock;
 use unoclp_client::map::{Command, Parity, State, cause, holding, input};
 use unoclp_client::order::{Done, Order, Undone};
 use unoclp_client::settings::{Settings, read_lock};
+use unoclp_client::settle::settle;
 use unoclp_client::watch::{Forces, Meter, Reading, Scope, Side};
 use unoclp_client::{Client, Failure};
 use unoclp_modbus::Exception;
@@ -268,4 +269,31 @@ fn a_board_tells_the_version_of_its_stored_form() {
     assert_eq!(told.version, 9);
     let here: Kept = kept("0\n877901\n");
     assert!(!told.differs(here), "nothing can be said of it");
+}
+
+#[test]
+fn a_lock_holds_at_once_and_an_address_from_the_next_start() {
+    let mut wire = Wire::new(Board::default());
+    let old = wire.talk(Settings::read).unwrap();
+    for (new, is_for_next) in [
+        (
+            Settings {
+                lock: Some(lock::UPLOAD),
+                ..old
+            },
+            false,
+        ),
+        (
+            Settings {
+                address: 9,
+                lock: Some(lock::UPLOAD),
+                ..old
+            },
+            true,
+        ),
+    ] {
+        let settled = wire.talk(async |client| settle(client, new).await).unwrap();
+        assert_eq!(settled.is_for_next, is_for_next, "{new:?}");
+        assert_eq!(wire.talk(Settings::read), Ok(new));
+    }
 }

@@ -42,6 +42,22 @@ fn power_follows_the_tree_as_it_does_in_the_scan() {
     assert!(stored > usual / 100, "{stored} with three points");
 }
 
+#[test]
+fn a_load_right_before_a_comparison_belongs_to_it() {
+    let mut memory = vec![0; 100];
+    let mut loader = Loader::new(&mut memory, Board::UNO);
+    for byte in *b"0\n76686500\n716900\n500\n877901\n" {
+        loader.push(byte).unwrap();
+    }
+    let document = Document::of_steps(loader.finish().unwrap().steps());
+    let series = &document.rungs().next().unwrap().series;
+    let loads = series.iter().map(|node| match node {
+        Node::Element(element) => element.load.is_some(),
+        _ => false,
+    });
+    assert!(loads.eq([true, false]));
+}
+
 /// One rung of contacts in series and in parallel, and a coil after them.
 fn drawn_at_random(random: &mut Random) -> Document {
     let mut editor = Editor::new(Document::new());

@@ -25,6 +25,14 @@ fn operations_together_are_undone_together_and_refused_together() {
 }
 
 #[test]
+fn what_changes_nothing_is_not_undone() {
+    let mut editor = Editor::new(Document::new());
+    editor.apply(&contact(1)).unwrap();
+    editor.apply(&Operation::Comment(Vec::new())).unwrap();
+    assert_eq!(editor.depth(), (1, 0));
+}
+
+#[test]
 fn another_document_in_its_place_is_a_change() {
     let mut editor = Editor::new(Document::new());
     editor.apply_all(&[contact(1), Operation::Copy]).unwrap();
