@@ -6,6 +6,8 @@
 #[cfg(mega)]
 mod lines;
 mod map;
+#[cfg(mega)]
+mod turns;
 mod upload;
 
 /// The line whose turn it is.

@@ -146,7 +146,7 @@ fn sections(page: &str) -> BTreeMap<String, String> {
 fn page(sections: &BTreeMap<String, String>) -> String {
     let mut page = format!(
         "# Tests, tested\n\nA program writes this page: do not edit it, run the tests again.\n\n```\ncargo xtask mutants\n```\n\n\
-         cargo-mutants {VERSION} changes the source a little, one place at a time: a function gives a fixed value, `<` becomes `<=`,\n\
+         cargo-mutants {VERSION} changes the source a little, one place at a time: a function returns a fixed value, `<` becomes `<=`,\n\
          an arm of a match disappears. Each changed program is a *mutant*, and the tests should notice it. One that they miss is listed: either a\n\
          test is missing, or the change has no visible effect. A mutant that runs for too long counts as noticed.\n\n\
          A seed decides which ones are tried, and in which order: a longer run begins with the mutants of a shorter one. A run that is\n\

@@ -30,8 +30,8 @@ impl Names<'_> {
         let span = var.name.span;
         if kind == UnitKind::Program {
             let why = (
-                "nothing calls a program; declare it with VAR",
-                "nada chama um programa; declare com VAR",
+                "a program cannot be called; declare it with VAR",
+                "um programa não pode ser chamado; declare com VAR",
             );
             found.tell(Code::Structure, span, ["VAR_IN_OUT".into(), why.into()]);
         }

@@ -1,6 +1,6 @@
 // What stands on the card: PROGRAM.TXT and STATE.TXT.
 
-import { say, speak } from "../words/words";
+import { say, speak, translate } from "../words/words";
 import type { CardSlot } from "./cardslot";
 import { h } from "./dom";
 import { pick } from "./files";
@@ -10,15 +10,18 @@ const NAMES = ["PROGRAM.TXT", "STATE.TXT"];
 const LACKING = ["cardNoProgram", "cardNoState"] as const;
 
 export class CardTab {
-  readonly panel: HTMLElement;
   private readonly files = h("div");
   private image: Uint8Array | null | undefined;
 
-  constructor(private readonly slot: CardSlot) {
+  constructor(
+    private readonly slot: CardSlot,
+    private readonly panel: HTMLElement,
+  ) {
     const state = h("input", { type: "checkbox", checked: true });
     const make = h("button", { type: "button", id: "make-card", click: () => void slot.make(state.checked) }, h("span", { "data-say": "cardMake" }));
     const open = h("button", { type: "button", id: "open-card", click: () => pick(([file]) => file && void slot.load(file), ".img,.bin,.dd") }, h("span", { "data-say": "cardOpen" }));
-    this.panel = h("div", {}, h("div", { class: "row" }, make, open, h("label", { class: "row" }, state, h("span", { "data-say": "cardState" }))), this.files);
+    panel.append(h("div", { class: "row" }, make, open, h("label", { class: "row" }, state, h("span", { "data-say": "cardState" }))), this.files);
+    translate(panel);
     slot.image.follow(() => void this.show());
     speak.follow(() => {
       this.image = undefined;

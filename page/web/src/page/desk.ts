@@ -1,8 +1,7 @@
 // The board on the desk: which board the page speaks to, and firmware for it.
 
-import { GatewayLine, type Shared } from "../line/gateway";
+import type { Shared } from "../line/gateway";
 import type { Line } from "../line/line";
-import { PortLine } from "../line/port";
 import { beside, single } from "../offline/beside";
 import type { Both } from "../tools/answers";
 import { Refusal } from "../tools/tools";
@@ -10,6 +9,7 @@ import { say, told } from "../words/words";
 import type { Bench } from "./bench";
 import { h } from "./dom";
 import { icon } from "./icons";
+import { later } from "./later";
 import { announce, note } from "./notes";
 import { gateway, sharedToken } from "./shared";
 
@@ -20,6 +20,10 @@ const MODELS = [
   { name: "nano-old", title: "Arduino Nano (old boot loader)", file: "unoclp-nano.hex" },
   { name: "mega", title: "Arduino Mega 2560", file: "unoclp-mega.hex" },
 ] as const;
+
+/** What speaks to a board at a port, or behind this page: only who has one needs it. */
+const portLine = later(async () => (await import("../line/port")).PortLine);
+const gatewayLine = later(async () => (await import("../line/gateway")).GatewayLine);
 
 export class Desk {
   /** What a menu has of it. */
@@ -75,7 +79,10 @@ export class Desk {
 
   /** Lets a person choose a port, and speaks to what is there. */
   private async join(): Promise<void> {
-    if (this.token !== null) return this.speak(new GatewayLine(gateway(), this.token, (shared) => (this.shared = shared)));
+    if (this.token !== null) {
+      const Line = await gatewayLine();
+      return Line ? this.speak(new Line(gateway(), this.token, (shared) => (this.shared = shared))) : undefined;
+    }
     const { serial } = navigator as { serial?: Serial };
     if (!serial && isSecureContext) return note(() => say("noSerial"));
     if (!serial) return note(() => say("noSecure", { host: location.host }), { text: () => say("savePage"), take: savePage });
@@ -85,7 +92,12 @@ export class Desk {
       // Nothing was chosen.
       return;
     }
-    await this.speak(new PortLine(this.port));
+    await this.speakAt(this.port);
+  }
+
+  private async speakAt(port: SerialPort): Promise<void> {
+    const Line = await portLine();
+    if (Line) await this.speak(new Line(port));
   }
 
   private async speak(line: Line): Promise<void> {
@@ -112,7 +124,7 @@ export class Desk {
     this.put.disabled = true;
     try {
       const hex = await (await beside(model.file)).text();
-      if (!this.bench.isOpen) await this.speak(new PortLine(this.port));
+      if (!this.bench.isOpen) await this.speakAt(this.port);
       await this.bench.flash(hex, model.name);
       this.say(() => say("flashed"));
     } catch (error) {

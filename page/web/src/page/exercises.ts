@@ -99,14 +99,14 @@ export class Exercises {
       exercise = plant ? { ...read, plant } : read;
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
-      note(() => say("fileNoExercise", { why: told(error.both) }));
+      note(() => sayHere("fileNoExercise", { why: told(error.both) }));
       return false;
     }
     await this.load();
     this.all = [...this.all.filter((one) => one.name !== file.name), exercise];
     this.at = this.all.length - 1;
     this.appear();
-    note(() => say("exerciseOpened"));
+    note(() => sayHere("exerciseOpened"));
     return true;
   }
 
@@ -202,7 +202,7 @@ export class Exercises {
     verdict.show();
     const names = Object.entries(sheet.names);
     const points = names.map(([point, name]) => h("li", {}, h("code", {}, point), ` ${told(name)}`,
-      sheet.normallyClosed.some((input) => point === `I${input}`) ? h("span", { class: "note" }, `: ${say("exerciseClosed")}`) : null));
+      sheet.normallyClosed.some((input) => point === `I${input}`) ? h("span", { class: "note" }, `: ${sayHere("exerciseClosed")}`) : null));
     const isFind = sheet.kind === "find";
     if (isFind) this.find.show();
     if (sheet.given) this.given.show(sheet.given);
@@ -210,10 +210,10 @@ export class Exercises {
     const next = exercise.hints < sheet.hints.length;
     const passed = this.all.filter((one) => one.passed).length;
     const buttons = h("div", { class: "row" },
-      isFind ? null : h("button", { type: "button", class: "primary", id: "exercise-check", click: () => void this.check(exercise) }, say("exerciseCheck")),
-      isFind ? null : h("button", { type: "button", id: "exercise-begin", click: () => this.open(begun(exercise)) }, say("exerciseBegin")),
+      isFind ? null : h("button", { type: "button", class: "primary", id: "exercise-check", click: () => void this.check(exercise) }, sayHere("exerciseCheck")),
+      isFind ? null : h("button", { type: "button", id: "exercise-begin", click: () => this.open(begun(exercise)) }, sayHere("exerciseBegin")),
       isFind && exercise.program ? h("button", { type: "button", id: "find-open", click: () => exercise.program && this.open(exercise.program) }, sayHere("findOpen")) : null,
-      next ? h("button", { type: "button", id: "exercise-hint", click: () => this.hint(exercise) }, say("exerciseHint", { n: exercise.hints + 1, all: sheet.hints.length })) : null,
+      next ? h("button", { type: "button", id: "exercise-hint", click: () => this.hint(exercise) }, sayHere("exerciseHint", { n: exercise.hints + 1, all: sheet.hints.length })) : null,
       this.handIn.button(() => ({ name: exercise.name, scenario: exercise.scenario, machine: this.machineOf(exercise), search: isFind ? this.find.search : null })),
       this.at + 1 < this.all.length ? h("button", { type: "button", class: exercise.passed ? "primary" : "quiet", id: "exercise-next", click: () => this.next() }, sayHere("exerciseNext")) : null);
     const parts = [
@@ -225,8 +225,8 @@ export class Exercises {
       h("h3", {}, told(sheet.title), sheet.kind === "program" ? null : h("span", { class: "chip" }, sayHere(GROUPS[sheet.kind]))),
       h("p", { class: "task" }, sheet.task ? told(sheet.task) : ""),
       sheet.given ? this.given.element : null,
-      h("ul", { class: "names", "aria-label": say("exerciseNames") }, ...points),
-      h("ol", { class: "hints", "aria-label": say("exerciseHints"), hidden: hints.length === 0 }, ...hints),
+      h("ul", { class: "names", "aria-label": sayHere("exerciseNames") }, ...points),
+      h("ol", { class: "hints", "aria-label": sayHere("exerciseHints"), hidden: hints.length === 0 }, ...hints),
       isFind ? this.find.element : verdict.element,
       h("div", { class: "pinned" }, isFind ? null : verdict.line, buttons),
     ];
@@ -268,7 +268,7 @@ export class Exercises {
   private async check(exercise: Exercise): Promise<void> {
     const machine = this.machineOf(exercise);
     const { plant } = exercise.sheet;
-    if (plant && !machine) note(() => say("noMachineFile", { name: plant }));
+    if (plant && !machine) note(() => sayHere("noMachineFile", { name: plant }));
     const passed = await exercise.verdict.check(this.program, exercise.scenario, exercise.name, machine);
     if (!passed || exercise.passed) return;
     this.pass(exercise);
@@ -292,7 +292,7 @@ export class Exercises {
 /** A file of a teacher that is wrong is left out, and told. */
 function refused(error: unknown): null {
   if (!(error instanceof Refusal)) throw error;
-  note(() => say("fileNoExercise", { why: told(error.both) }));
+  note(() => sayHere("fileNoExercise", { why: told(error.both) }));
   return null;
 }
 

@@ -7,7 +7,6 @@ import { RemoteTools } from "../tools/remote";
 import { Tools } from "../tools/tools";
 import { say, speakIn, told, translate } from "../words/words";
 import { Bench, firmwareOf } from "./bench";
-import { CardTab } from "./cardtab";
 import { CardSlot } from "./cardslot";
 import { Desk } from "./desk";
 import { ProgramDocument, type Work, drawingOf, isOf, lastText } from "./document";
@@ -119,7 +118,8 @@ async function load(): Promise<void> {
     const why = unsent();
     note(() => (why ? told(why) : whyNot(program)));
   });
-  const card = new CardTab(slot);
+  const card = h("div");
+  const cardTab = later(async () => new (await import("./cardtab")).CardTab(slot, card));
   const settings = h("div");
   const settingsTab = later(async () => new (await import("./settings")).SettingsTab(bench, settings));
   const view = new ProgramView(program, editor, remote, bench, problems, open, forBoard);
@@ -128,7 +128,7 @@ async function load(): Promise<void> {
     { id: "watch", title: "tabWatch", panel: watch.panel },
     { id: "problems", title: "tabProblems", panel: problems, label: view.count },
     { id: "serial", title: "tabSerial", isRare: true, panel: h("div", {}, serial) },
-    { id: "card", title: "tabCard", isRare: true, panel: card.panel, shown: () => void card.show() },
+    { id: "card", title: "tabCard", isRare: true, panel: card, shown: () => void cardTab().then((tab) => tab?.show()) },
     { id: "settings", title: "tabSettings", isRare: true, panel: settings, shown: () => void settingsTab().then((tab) => tab?.read()) },
   ]);
   const judged = later(() => import("./judged"));

@@ -4,6 +4,7 @@
 import type { Outcome, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { Refusal } from "../tools/tools";
+import { say as sayHere } from "../words/learn";
 import { say, speak, told } from "../words/words";
 import type { ProgramDocument } from "./document";
 import { h } from "./dom";
@@ -65,14 +66,14 @@ export class Verdict {
       return;
     }
     const cases = this.came.cases.map(([one, passed]) =>
-      h("li", { class: passed ? "good" : "bad" }, `${passed ? "✓" : "✗"} ${told(one.title)}`, one.hidden ? h("span", { class: "note" }, ` (${say("caseHidden")})`) : null));
+      h("li", { class: passed ? "good" : "bad" }, `${passed ? "✓" : "✗"} ${told(one.title)}`, one.hidden ? h("span", { class: "note" }, ` (${sayHere("caseHidden")})`) : null));
     // It scrolls where the screen is narrow, by the keyboard too.
     const diagram = h("div", { class: "diagram", tabindex: 0, role: "group", "aria-label": say("tabTrend") });
     const shown = this.came.failing?.shown;
     // Drawn by our own Rust, which escapes every text in it.
     if (shown) diagram.innerHTML = told(shown.svg);
     const { machine } = this.came;
-    const fared = machine && h("p", { class: machine.passed ? "good" : "bad", id: "machine-verdict" }, `${machine.passed ? "✓" : "✗"} ${say("theMachine")}${machine.why ? `: ${told(machine.why)}` : ""}`);
+    const fared = machine && h("p", { class: machine.passed ? "good" : "bad", id: "machine-verdict" }, `${machine.passed ? "✓" : "✗"} ${sayHere("theMachine")}${machine.why ? `: ${told(machine.why)}` : ""}`);
     this.element.replaceChildren(h("ul", { class: "cases" }, ...cases), diagram, ...(fared ? [fared] : []), ...(this.replay ? [this.replay.element] : []));
   }
 
@@ -83,12 +84,12 @@ export class Verdict {
   private text(): string {
     if (!this.came) return "";
     if (this.came instanceof Refusal) return told(this.came.both);
-    if (this.came.passed) return say("passed");
+    if (this.came.passed) return sayHere("passed");
     const { failing, cases, machine } = this.came;
-    if (!failing && machine?.why) return say("failedMachine", { why: told(machine.why) });
-    if (failing && !failing.shown) return say("failedHidden", { title: told(cases[failing.case]?.[0].title ?? { en: "", pt: "" }) });
+    if (!failing && machine?.why) return sayHere("failedMachine", { why: told(machine.why) });
+    if (failing && !failing.shown) return sayHere("failedHidden", { title: told(cases[failing.case]?.[0].title ?? { en: "", pt: "" }) });
     const unmet = failing?.shown?.unmet;
-    if (unmet) return say("failedAt", { time: unmet.from, place: unmet.place, came: unmet.came, expected: unmet.expected });
-    return failing?.shown ? told(failing.shown.why) : say("failedAny");
+    if (unmet) return sayHere("failedAt", { time: unmet.from, place: unmet.place, came: unmet.came, expected: unmet.expected });
+    return failing?.shown ? told(failing.shown.why) : sayHere("failedAny");
   }
 }

@@ -1,6 +1,22 @@
 // The texts of exercises and of the gallery that are loaded with them, in English and in Brazilian Portuguese.
 
 export const LEARN = {
+  fileNoExercise: ["This file is a scenario, not a program, and it cannot be opened as an exercise: {why}. Your program is still here.", "Este arquivo é um cenário, não um programa, e não pode ser aberto como exercício: {why}. O seu programa continua aqui."],
+  exerciseOpened: ["This file is an exercise. You find it with the others; your program has not changed.", "Este arquivo é um exercício. Ele está junto com os outros; seu programa não mudou."],
+  noMachineFile: ["This exercise has a machine: open its file, {name}, first.", "Este exercício tem uma máquina: abra antes o arquivo dela, {name}."],
+  exerciseNames: ["What is connected", "O que está ligado"],
+  exerciseClosed: ["normally closed, like its button here", "normalmente fechado, como o botão daqui"],
+  exerciseHints: ["Hints", "Dicas"],
+  exerciseHint: ["Hint {n} of {all}", "Dica {n} de {all}"],
+  exerciseCheck: ["Check", "Verificar"],
+  exerciseBegin: ["Begin an empty program", "Começar um programa vazio"],
+  theMachine: ["the machine", "a máquina"],
+  failedMachine: ["Not yet. The cases pass, but the machine does not: {why}", "Ainda não. Os casos passam, mas a máquina não: {why}"],
+  passed: ["Passed: the program does what is expected.", "Passou: o programa faz o que se espera."],
+  failedAt: ["At {time} ms {place} is {came}; it should be {expected}.", "Em {time} ms {place} está em {came}; deveria estar em {expected}."],
+  failedAny: ["The program does not do what is expected.", "O programa não faz o que se espera."],
+  failedHidden: ["The hidden case “{title}” fails. What does your program not consider?", "O caso oculto “{title}” falhou. O que o seu programa não levou em conta?"],
+  caseHidden: ["hidden", "oculto"],
   kindOwn: ["Of your class", "Da sua turma"],
   kindProgram: ["Write a program", "Escreva um programa"],
   kindFind: ["Find the fault", "Ache a falha"],

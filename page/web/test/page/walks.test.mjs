@@ -259,9 +259,9 @@ async function engineer(page, said, words, phone) {
   const when = (/** @type {number} */ column) => Number(rows.find((row) => row.split(",")[column] === "1")?.split(",")[0]);
   assert.ok(when(1) <= when(2), `go ${when(1)}, pump ${when(2)}`);
   await turnTo(page, "program");
-  // What no ladder holds is told; a ladder goes out as PLCopen XML, and comes back.
-  await pick(page, "#save-project");
-  await page.locator("#notes", { hasText: "XML-523" }).waitFor();
+  // What no ladder holds goes out as a list in PLCopen XML; a ladder goes out as one, and comes back.
+  const tank = await saved(page, () => pick(page, "#save-project"));
+  assert.match(tank.text, /<project[^]*<IL>/);
   await type(page, "LD I1\nOR Q1\nANDN I2\nST Q1\n", "motor.il");
   await page.locator("#problem-count.good").waitFor();
   const xml = await saved(page, () => pick(page, "#save-project"));

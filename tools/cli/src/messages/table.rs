@@ -69,7 +69,7 @@ unoclp_words::messages! {
         "{place}: esta varredura não termina; o unoclp a parou aqui depois de {steps} passos. A condição do laço muda alguma vez?";
     run_too_long(scans, steps)
         "unoclp stopped the run after {scans} scans: they took {steps} steps, the limit for one run. Ask for fewer with --scans"
-        "o unoclp parou a execução depois de {scans} varreduras: elas deram {steps} passos, o limite de uma execução. Peça menos com --scans";
+        "o unoclp parou a execução depois de {scans} varreduras: elas levaram {steps} passos, o limite de uma execução. Peça menos com --scans";
     calls_too_deep(place)
         "{place}: calls are nested too deeply here; split the expression"
         "{place}: há chamadas demais umas dentro das outras; divida a expressão";

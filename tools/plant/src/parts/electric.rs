@@ -136,7 +136,7 @@ pub(crate) mod motor {
             runs: FLAG, "whether it turns at nine tenths of its speed or more" "se gira com nove décimos da rotação ou mais";
             turns: FLAG, "whether it turns at all" "se gira";
             speed: number(Unit::Rpm, -3600, 3600), "its speed; below 0 backwards" "a rotação; abaixo de 0 para trás";
-            current: number(Unit::Ma, 0, 1_000_000), "what it takes" "o que puxa";
+            current: number(Unit::Ma, 0, 1_000_000), "its current" "a corrente dele";
             milli: inner(-3_600_000, 3_600_000), "its speed in thousandths" "a rotação em milésimos";
             angle: inner(0, 359_999), "where its shaft stands" "onde está o eixo";
         }

@@ -211,14 +211,14 @@ pub(crate) mod stirrer {
 pub(crate) mod float {
     use super::*;
     kind! {
-        "float" Fluid "A float switch: actuated while the level stands above it" "Uma chave-boia: acionada enquanto o nível está acima dela"
+        "float" Fluid "A float switch: actuated while the level is above it" "Uma chave-boia: acionada enquanto o nível está acima dela"
         [90, 30];
         fields {
             of: Form::Part(TANKS), "its tank" "o tanque dela";
             height: Form::Number(Unit::Permille, 0, 1000, 500), "its height in the tank" "onde fica";
             to: Form::Sense, "the input that it switches" "a entrada que ela aciona";
         }
-        values { up: FLAG, "whether the level stands above it" "se o nível está acima dela"; }
+        values { up: FLAG, "whether the level is above it" "se o nível está acima dela"; }
         faults { Stuck Open Short Bouncing }
     }
     pub(crate) fn step(m: &mut Moment<'_>) {

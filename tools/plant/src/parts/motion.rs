@@ -243,7 +243,7 @@ pub(crate) mod call {
         }
         values {
             pressed: HAND, "whether somebody presses it" "se alguém o aperta";
-            waiting: FLAG, "whether somebody waits there" "se alguém espera ali";
+            waiting: FLAG, "whether somebody is waiting there" "se alguém espera ali";
             waited: number(Unit::Ms, 0, 3_600_000), "for how long" "há quanto tempo";
         }
         faults { Stuck Open Short Bouncing }

@@ -26,7 +26,7 @@ pub(crate) mod button {
 pub(crate) mod switch {
     use super::*;
     kind! {
-        "switch" Panel "A switch that stays where it is turned" "Uma chave que fica como se deixa"
+        "switch" Panel "A switch that stays where it is turned" "Uma chave que fica na posição em que é deixada"
         [60, 72];
         fields { to: Form::Sense, "the input that it switches" "a entrada que ela aciona"; }
         values { on: HAND, "whether it is turned on" "se está ligada"; }
