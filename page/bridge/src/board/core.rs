@@ -58,7 +58,7 @@ pub struct Core {
     faults: u16,
     /// The scan that is under way in slow motion.
     #[cfg(feature = "full")]
-    pub(super) slow: Option<super::slowly::Slow>,
+    pub(super) slow: Option<super::under_way::Slow>,
 }
 
 /// A program that it holds.

@@ -21,6 +21,8 @@ mod news;
 mod order;
 #[cfg(feature = "full")]
 mod slowly;
+#[cfg(feature = "full")]
+mod under_way;
 #[cfg_attr(
     not(feature = "full"),
     allow(

@@ -3,37 +3,15 @@
 //! Owns where such a scan stops, and that it ends before the next begins. Must not know what a page shows of it.
 
 use super::core::{Core, State};
+use super::under_way::Slow;
 use crate::machine::Machine;
 use crate::slow::Stood;
 use crate::words::{self, Both, both};
 use unoclp_core::isa::Opcode;
-use unoclp_core::{Inputs, Scan};
 use unoclp_exercise::live::Flow;
 
 /// Scans that are made for one ask at most.
 const MOST: u32 = 200;
-
-/// A scan that is under way.
-pub struct Slow {
-    scan: Scan,
-    flow: Flow,
-    inputs: Inputs,
-    /// Of each instruction whether it only begins a rung: it is no element.
-    heads: Vec<bool>,
-    /// The outputs as the scan before has left them.
-    driven: u32,
-}
-
-impl Slow {
-    /// Whether it stops before the instruction that comes next.
-    fn stops(&self, to: Option<&[usize]>) -> bool {
-        let next = self.scan.next();
-        match to {
-            Some(to) => to.contains(&next),
-            None => !self.heads.get(next).copied().unwrap_or_default(),
-        }
-    }
-}
 
 impl Core {
     /// Goes on with its scan to where one of these instructions comes next, or any; `through` the ends of scans, 1 ms each,
