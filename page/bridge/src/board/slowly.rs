@@ -8,7 +8,7 @@ use crate::machine::Machine;
 use crate::slow::Stood;
 use crate::words::{self, Both, both};
 use unoclp_core::isa::Opcode;
-use unoclp_exercise::live::Flow;
+use unoclp_exercise::live::Followed;
 
 /// Scans that are made for one ask at most.
 const MOST: u32 = 200;
@@ -33,30 +33,25 @@ impl Core {
                 Some(slow) => slow,
                 None => {
                     let slow = self.begin_slowly().ok_or_else(|| both(words::none_runs))?;
-                    if slow.stops(to) {
+                    if stops(&slow.heads, to, 0) {
                         return Ok(Some(self.keep(slow)));
                     }
                     slow
                 }
             };
-            loop {
-                let stepped = self.with_plc(|plc| plc.step(&mut slow.scan));
-                match stepped {
-                    Some(Ok(Some((step, after)))) => {
-                        slow.flow.observe(step, after);
-                        if slow.stops(to) {
-                            return Ok(Some(self.keep(slow)));
-                        }
-                    }
-                    Some(Ok(None)) => break,
-                    Some(Err(fault)) => {
-                        self.fail(fault);
-                        return Ok(Some(self.stood(&slow, true)));
-                    }
-                    None => return Err(both(words::none_runs)),
+            let Slow {
+                followed, heads, ..
+            } = &mut slow;
+            match self.with_plc(|plc| followed.go(plc, |next| stops(heads, to, next))) {
+                Some(Ok(true)) => {}
+                Some(Ok(false)) => return Ok(Some(self.keep(slow))),
+                Some(Err(fault)) => {
+                    self.fail(fault);
+                    return Ok(Some(self.stood(&slow, true)));
                 }
+                None => return Err(both(words::none_runs)),
             }
-            self.end_slowly(&mut slow);
+            self.end_slowly(&slow);
             let stood = self.stood(&slow, true);
             self.go_by(machine);
             if !through {
@@ -71,17 +66,10 @@ impl Core {
         let Some(mut slow) = self.slow.take() else {
             return false;
         };
-        loop {
-            match self.with_plc(|plc| plc.step(&mut slow.scan)) {
-                Some(Ok(Some((step, after)))) => slow.flow.observe(step, after),
-                Some(Err(fault)) => {
-                    self.fail(fault);
-                    return true;
-                }
-                _ => break,
-            }
+        match self.with_plc(|plc| slow.followed.go(plc, |_| false)) {
+            Some(Err(fault)) => self.fail(fault),
+            _ => self.end_slowly(&slow),
         }
-        self.end_slowly(&mut slow);
         true
     }
 
@@ -93,47 +81,46 @@ impl Core {
 
     fn begin_slowly(&mut self) -> Option<Slow> {
         let (inputs, now) = (self.read(), self.now());
-        self.with_plc(|plc| {
-            let mut flow = Flow::new(plc.steps().count());
-            flow.look(plc, now);
-            Slow {
-                scan: plc.begin(inputs, now),
-                flow,
-                inputs,
-                heads: plc
-                    .steps()
-                    .map(|step| step.opcode == Opcode::NewRung)
-                    .collect(),
-                driven: plc.outputs().0 as u32,
-            }
+        self.with_plc(|plc| Slow {
+            followed: Followed::begin(plc, inputs, now),
+            heads: plc
+                .steps()
+                .map(|step| step.opcode == Opcode::NewRung)
+                .collect(),
+            driven: plc.outputs().0 as u32,
         })
     }
 
-    fn end_slowly(&mut self, slow: &mut Slow) {
-        let image = self.with_plc(|plc| {
-            slow.flow.end(plc);
-            plc.outputs()
-        });
-        if let Some(image) = image {
-            self.take(slow.flow.clone(), image);
+    fn end_slowly(&mut self, slow: &Slow) {
+        if let Some(image) = self.with_plc(|plc| plc.outputs()) {
+            self.take(slow.followed.flow().clone(), image);
         }
     }
 
     fn stood(&mut self, slow: &Slow, is_over: bool) -> Stood {
         let image = self.with_plc(|plc| plc.outputs()).unwrap_or_default();
-        let found = slow.scan.found();
-        let step = slow.scan.next();
+        let scan = slow.followed.scan();
+        let found = scan.found();
+        let step = scan.next();
         Stood {
             step: (!is_over).then_some(step),
             until: step + 1,
             acc: found.acc,
             value: found.value,
-            pushed: slow.scan.pushed().to_vec(),
-            inputs: slow.inputs.points.0 as u32,
+            pushed: scan.pushed().to_vec(),
+            inputs: slow.followed.inputs().points.0 as u32,
             closed: self.closed().0 as u32,
             outputs: image.0 as u32,
             driven: if is_over { image.0 as u32 } else { slow.driven },
-            live: self.show(&slow.flow),
+            live: self.show(slow.followed.flow()),
         }
+    }
+}
+
+/// Whether one that goes to one of these instructions, or to any, stops before this one.
+fn stops(heads: &[bool], to: Option<&[usize]>, next: usize) -> bool {
+    match to {
+        Some(to) => to.contains(&next),
+        None => !heads.get(next).copied().unwrap_or_default(),
     }
 }

@@ -136,8 +136,7 @@ export class Bench {
   /** Goes to this simulated board, which may be another one than before; settled when it answers. */
   async simulate(board: BoardFacts): Promise<void> {
     const id: BoardId = board.id === "mega" ? "mega" : "uno";
-    const isOther = this.simulated.id !== id;
-    if (!isOther) return this.where.value === "simulated" ? undefined : this.useSimulated();
+    if (this.simulated.id === id) return this.where.value === "simulated" ? undefined : this.useSimulated();
     const firmware = await firmwareOf(id);
     await this.disconnect();
     this.facts = board;
@@ -147,7 +146,12 @@ export class Bench {
     this.board.value = board;
     this.paused.value = false;
     this.simulated.start(id, firmware);
-    await new Promise<void>((found) => this.identity.follow((identity) => identity !== null && found()));
+    await this.answers();
+  }
+
+  /** Settled when a board answers. */
+  answers(): Promise<void> {
+    return new Promise((found) => this.identity.follow((identity) => identity !== null && found()));
   }
 
   /** Goes back to the simulated board. */

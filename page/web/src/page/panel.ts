@@ -11,7 +11,7 @@ import { keep, kept } from "./kept";
 import { Lamps } from "./lamps";
 import { announce } from "./notes";
 import { layOut } from "./layout";
-import { inputsOf, upTo } from "./points";
+import { inputsOf, outputsOf, upTo } from "./points";
 
 const SPEEDS = [1, 0.1, 0.01];
 /** Cards that are seen on request. */
@@ -92,7 +92,7 @@ export class Panel {
   /** Has a button and a lamp for each point of a small board; of another one for those that the program has, or for all. */
   private offer(board: BoardFacts, all: boolean): void {
     const uses = this.made?.uses;
-    const outputs = [...new Set([...(uses?.outputs ?? []), ...(uses?.pwm ?? [])])].sort((one, other) => one - other);
+    const outputs = uses ? outputsOf(uses) : [];
     if (!board.firmware || (isLarge(board) && !all)) {
       const inputs = uses?.inputs.length || !board.firmware ? (uses?.inputs ?? []) : upTo(FEW.inputs);
       this.buttons.offer(inputs, inputs.length);
@@ -102,9 +102,12 @@ export class Panel {
       this.buttons.offer([...own, ...shared], all ? own.length + shared.length : own.length);
       this.lamps.offer(upTo(board.outputs));
     }
-    if (!this.made) return;
-    this.buttons.names(this.made.symbols);
-    this.lamps.names(this.made.symbols);
+    if (this.made) this.names(this.made);
+  }
+
+  private names({ symbols }: Made): void {
+    this.buttons.names(symbols);
+    this.lamps.names(symbols);
   }
 
   /** Makes the buttons as the comment of a program says, if it says something. */
@@ -118,8 +121,7 @@ export class Panel {
     this.made = made;
     const { board } = this.bench;
     if (!board.value.firmware || isLarge(board.value)) this.offer(board.value, this.allButtons.getAttribute("aria-pressed") === "true");
-    this.buttons.names(made.symbols);
-    this.lamps.names(made.symbols);
+    else this.names(made);
     this.buttons.showTo(made.uses.inputs);
     const inputs = made.uses.analogue;
     if (inputs.join() === [...this.readings.keys()].join()) return;

@@ -56,15 +56,19 @@ export function real(bits: number): number {
   return new Float32Array(Int32Array.of(bits).buffer)[0] ?? 0;
 }
 
+/** The outputs that a program uses, by bits or by pulses. */
+export function outputsOf({ outputs, pwm }: Made["uses"]): number[] {
+  return [...new Set([...outputs, ...pwm])].sort((one, other) => one - other);
+}
+
 export function pointsOf(made: Made): Point[] {
   const { uses, symbols } = made;
   const points: Point[] = [];
   const add = (letter: string, numbers: readonly number[], rest: (number: number) => Omit<Point, "name" | "called">): void => {
     for (const number of numbers) points.push({ name: letter + number, called: symbols[letter + number] ?? "", ...rest(number) });
   };
-  const outputs = [...new Set([...uses.outputs, ...uses.pwm])].sort((one, other) => one - other);
   add("I", uses.inputs, (n) => ({ kind: "bit", hand: "force", value: (seen) => Number(seen.inputs.includes(n)) }));
-  add("Q", outputs, (n) => ({ kind: "bit", hand: "force", value: (seen) => Number(seen.outputs.includes(n)) }));
+  add("Q", outputsOf(uses), (n) => ({ kind: "bit", hand: "force", value: (seen) => Number(seen.outputs.includes(n)) }));
   add("A", uses.analogue, (n) => ({ kind: "number", hand: "none", value: (seen) => seen.analogue[n] ?? 0 }));
   const meter = (of: "timers" | "counters") => (n: number): Omit<Point, "name" | "called"> => ({
     kind: "meter",

@@ -41,6 +41,6 @@ export function greet(doors: Doors): void {
 
 /** Runs the program that the page begins with as soon as the board answers, unless somebody has changed it meanwhile. */
 export async function begin(bench: Bench, isUntouched: () => boolean, run: () => Promise<void>): Promise<void> {
-  await new Promise<void>((found) => bench.identity.follow((identity) => identity !== null && found()));
+  await bench.answers();
   if (isUntouched()) await run();
 }

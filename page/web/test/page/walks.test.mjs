@@ -281,8 +281,12 @@ for (const [width, height] of SIZES) {
         const { page, said } = await newcomer(lab, {
           locale, viewport: { width, height }, hasTouch: phone, isMobile: phone, acceptDownloads: true, permissions: ["clipboard-read", "clipboard-write"],
         });
-        await walk(page, said, WORDS[locale], phone);
-        await page.context().close();
+        // One that failed would take a processor from those behind it.
+        try {
+          await walk(page, said, WORDS[locale], phone);
+        } finally {
+          await page.context().close();
+        }
       });
     }
   }

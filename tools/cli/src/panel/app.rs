@@ -5,7 +5,7 @@ use super::analogue::Knobs;
 use super::buttons::{Buttons, KeyUp};
 use super::drawn::Drawn;
 use super::memory::spans;
-use super::slow::{self, Places, Slow, Standing, To};
+use super::slow::{self, Places, Standing, To};
 use crate::messages;
 use crate::variables::Variables;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use std::time::Duration;
 use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
-use unoclp_exercise::live::Flow;
+use unoclp_exercise::live::{Flow, Followed};
 use unoclp_exercise::wave::{Recorder, Sample};
 use unoclp_host_sim::engine::Machine;
 use unoclp_point::Address;
@@ -56,7 +56,7 @@ pub struct App {
     pub(super) scans: u64,
     pub(super) running: bool,
     /// The scan that stands in slow motion.
-    slow: Option<Slow>,
+    slow: Option<Followed>,
     /// Steps before which it stops.
     breaks: BTreeSet<usize>,
     places: Places,
@@ -265,7 +265,7 @@ impl App {
 
     /// Where the scan stands in slow motion, and the line of that in the text.
     pub(super) fn standing(&self) -> Option<(Standing, Option<usize>)> {
-        let standing = self.slow.as_ref()?.standing();
+        let standing = Standing::of(self.slow.as_ref()?.scan());
         let line = slow::line(&self.program.map, standing.step);
         Some((standing, line))
     }
@@ -290,7 +290,8 @@ impl App {
             None => {
                 // The clock of the PLC wraps (NC-9).
                 let (inputs, now) = (self.world(), self.scans as Millis);
-                let slow = Slow::begin(&mut self.machine, inputs, now);
+                let begin = |plc: &mut Plc<'_>| Followed::begin(plc, inputs, now);
+                let slow = self.machine.with_plc(begin);
                 if stops(0) {
                     self.stand(slow);
                     return Ok(());
@@ -298,7 +299,8 @@ impl App {
                 slow
             }
         };
-        match slow.go(&mut self.machine, stops) {
+        let go = |plc: &mut Plc<'_>| slow.go(plc, stops);
+        match self.machine.with_plc(go) {
             Ok(true) => {}
             Ok(false) => {
                 self.stand(slow);
@@ -311,12 +313,8 @@ impl App {
                 self.running = false;
             }
         }
-        let Slow {
-            mut flow,
-            inputs,
-            now,
-            ..
-        } = slow;
+        let now = slow.now();
+        let mut flow = slow.flow().clone();
         flow.look(self.machine.plc(), now);
         flow.end(self.machine.plc());
         self.flow = flow;
@@ -324,7 +322,7 @@ impl App {
         if let Some(recorder) = &mut self.recorder {
             recorder.record(
                 self.recorded,
-                &Sample::of(&self.machine, &self.program.size.used, &inputs, now),
+                &Sample::of(&self.machine, &self.program.size.used, slow.inputs(), now),
             )?;
             self.recorded += 1;
         }
@@ -332,9 +330,9 @@ impl App {
     }
 
     /// The scan stands: what is shown is what it has done so far.
-    fn stand(&mut self, slow: Slow) {
+    fn stand(&mut self, slow: Followed) {
         self.running = false;
-        self.flow = slow.flow.clone();
+        self.flow = slow.flow().clone();
         self.slow = Some(slow);
         if let Some((_, Some(line))) = self.standing() {
             self.scroll.show(line.saturating_sub(1));

@@ -1,14 +1,12 @@
 //! A scan in slow motion: where it stands, and how far it goes on by one key.
 //!
-//! Owns the scan that is under way and its breakpoints. Must not know keys, nor what is shown of it.
+//! Owns where a scan stops. Must not know keys, nor what is shown of it.
 
 use std::collections::BTreeSet;
 use unoclp_checked::SourceMap;
+use unoclp_core::Scan;
 use unoclp_core::isa::Opcode;
-use unoclp_core::{Fault, Inputs, Millis, Plc, Scan};
 use unoclp_draw::Ladder;
-use unoclp_exercise::live::Flow;
-use unoclp_host_sim::engine::Machine;
 use unoclp_program::Source;
 
 /// How far a scan goes on.
@@ -47,14 +45,6 @@ impl Places {
     }
 }
 
-/// A scan that is under way.
-pub struct Slow {
-    scan: Scan,
-    pub flow: Flow,
-    pub inputs: Inputs,
-    pub now: Millis,
-}
-
 /// What stands beside a scan that stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Standing {
@@ -66,50 +56,15 @@ pub struct Standing {
     pub pushed: Vec<i32>,
 }
 
-impl Slow {
-    /// Begins a scan.
-    pub fn begin(machine: &mut Machine, inputs: Inputs, now: Millis) -> Slow {
-        machine.with_plc(|plc: &mut Plc<'_>| {
-            let mut flow = Flow::new(plc.steps().count());
-            flow.look(plc, now);
-            Slow {
-                scan: plc.begin(inputs, now),
-                flow,
-                inputs,
-                now,
-            }
-        })
-    }
-
-    /// Goes on by one step at least, to where `stops` says that it stops before a step. Says whether the scan is over.
-    ///
-    /// # Errors
-    /// Where it has made too many jumps back.
-    pub fn go(
-        &mut self,
-        machine: &mut Machine,
-        stops: impl Fn(usize) -> bool,
-    ) -> Result<bool, Fault> {
-        machine.with_plc(|plc: &mut Plc<'_>| {
-            while let Some((step, after)) = plc.step(&mut self.scan)? {
-                self.flow.observe(step, after);
-                if stops(self.scan.next()) {
-                    return Ok(false);
-                }
-            }
-            self.flow.end(plc);
-            Ok(true)
-        })
-    }
-
-    /// Where it stands.
-    pub fn standing(&self) -> Standing {
-        let found = self.scan.found();
+impl Standing {
+    /// Of a scan that stands.
+    pub fn of(scan: &Scan) -> Standing {
+        let found = scan.found();
         Standing {
-            step: self.scan.next(),
+            step: scan.next(),
             acc: found.acc,
             value: found.value,
-            pushed: self.scan.pushed().to_vec(),
+            pushed: scan.pushed().to_vec(),
         }
     }
 }
