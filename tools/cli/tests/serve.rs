@@ -763,7 +763,7 @@ fn a_teachers_folder_stands_in_the_page() {
         &ours("exercises/find/01-motor.toml").replace("../../plants/", ""),
     );
     put("01-motor.il", &ours("exercises/find/01-motor.il"));
-    let bell = "title = \"The bell\"\nprogram = \"bell.st\"\nuntil = 5\n";
+    let bell = "title = \"A bell of mine\"\nprogram = \"bell.st\"\nuntil = 5\n";
     put("bell.toml", bell);
     put(
         "bell.st",
@@ -800,15 +800,15 @@ fn a_teachers_folder_stands_in_the_page() {
     assert!(machines.find("motor.toml") < machines.find("batch.toml"));
 
     // Files that have not changed are not read again; those that have are, with what stands beside them.
-    assert!(http(&server.address, "/exercises.json").contains("The bell"));
-    put("bell.toml", &bell.replace("The bell", "Both bells"));
+    assert!(http(&server.address, "/exercises.json").contains("A bell of mine"));
+    put("bell.toml", &bell.replace("A bell of mine", "Both bells"));
     put("01-motor.il", "LD I1\nST Q1\n");
     let changed = http(&server.address, "/exercises.json");
-    assert!(changed.contains("Both bells") && !changed.contains("The bell"));
+    assert!(changed.contains("Both bells") && !changed.contains("A bell of mine"));
     assert!(changed.contains("LD I1\\nST Q1"));
     std::fs::remove_file(format!("{folder}/bell.toml")).unwrap();
     assert!(!http(&server.address, "/exercises.json").contains("own/bell"));
-    put("bell.toml", &bell.replace("The bell", "Two bells"));
+    put("bell.toml", &bell.replace("A bell of mine", "Two bells"));
     assert!(http(&server.address, "/exercises.json").contains("Two bells"));
     assert!(http(&server.address, "/index.html").contains("<title>"));
 

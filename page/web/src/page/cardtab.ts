@@ -1,6 +1,7 @@
 // What stands on the card: PROGRAM.TXT and STATE.TXT.
 
-import { say, speak, translate } from "../words/words";
+import { say } from "../words/later";
+import { speak, translate } from "../words/words";
 import type { CardSlot } from "./cardslot";
 import { h } from "./dom";
 import { pick } from "./files";

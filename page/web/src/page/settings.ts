@@ -3,8 +3,9 @@
 import type { Settings } from "../tools/answers";
 import { ADDRESSES, RATES } from "../tools/numbers";
 import { Refusal } from "../tools/tools";
-import type { Key } from "../words/table";
-import { say, speak, told, translate } from "../words/words";
+import type { Key } from "../words/later";
+import { say } from "../words/later";
+import { speak, told, translate } from "../words/words";
 import type { Bench } from "./bench";
 import { h } from "./dom";
 import { type Way, same } from "./ways";

@@ -151,7 +151,7 @@ const BAD = [
   ["an input that the board lacks", part('kind = "button"\nto = "I40"'), [/has no I40; it has I1–I8/, /não tem I40; tem I1–I8/]],
   ["a part that is not there", part('kind = "lamp"\nby = "ghost.lit"'), [/there is no part ghost; there is b, x/, /não existe o elemento ghost; existe b, x/]],
   ["a unit that is none", part('kind = "tank"\nholds = "5 bananas"'), [/a number with a unit/, /um número com unidade/]],
-  ["a circle", `${HEAD}${["x", "y"].map((name, at) => `[[part]]\nname = "${name}"\nkind = "lamp"\nby = "${["y", "x"][at]}.lit"\n`).join("")}`, [/in a circle: x → y → x/, /em círculo: x → y → x/]],
+  ["a circle", `${HEAD}${["x", "y"].map((name, at) => `[[part]]\nname = "${name}"\nkind = "lamp"\nby = "${["y", "x"][at]}.lit"\n`).join("")}`, [/in a loop: x → y → x/, /dependência circular entre estes elementos: x → y → x/]],
   ["10,000 parts", `title = "t"\n${Array.from({ length: 10_000 }, (_, at) => `[[part]]\nname = "a${at}"\nkind = "lamp"\nby = "Q1"\n`).join("")}`, [/more than 100/, /mais de 100/]],
   ["a rule that is no condition", `${HEAD}[[never]]\nwhen = "b.pressed := 1"\n`, [/not a condition in Structured Text/, /não é uma condição de Texto Estruturado/]],
   ["HTML that says parts", "<html><script>alert(1)</script>\n[[part]]\n</html>\n", [/not TOML/, /não é TOML/]],
@@ -214,6 +214,7 @@ for (const [locale, said] of /** @type {const} */ ([["en-US", "Your program is s
     const page = await lab.still({ locale });
     await pick(page, "#exercises");
     await type(page, "LD I3\nST Q3 (* mine *)\n", "mine.il");
+    await page.locator("#exercise h3").waitFor();
     const shown = () => page.evaluate(() => [document.querySelector("#exercise h3")?.textContent, document.querySelectorAll("#exercise-list option").length, document.querySelector("#exercise-progress")?.textContent]);
     const before = await shown();
     for (const one of NONE) {

@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { CHART } from "../../src/words/charttable";
 import { DRAW } from "../../src/words/drawtable";
+import { LATER } from "../../src/words/latertable";
 import { LEARN } from "../../src/words/learntable";
 import { SLOW } from "../../src/words/slowtable";
 import { PROJECT } from "../../src/words/projecttable";
@@ -13,7 +14,7 @@ import { TABLE } from "../../src/words/table";
 
 // npm runs the tests in the folder of the page, xtask above it.
 const docs = existsSync("src/page") ? "../../docs" : "docs";
-const rows = Object.values({ ...TABLE, ...CHART, ...PROJECT, ...DRAW, ...LEARN, ...SLOW });
+const rows = Object.values({ ...TABLE, ...LATER, ...CHART, ...PROJECT, ...DRAW, ...LEARN, ...SLOW });
 /** What stands emphasised without being a control. */
 const PROSE = ["The port does not open", "A porta não abre"];
 

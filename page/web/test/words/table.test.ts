@@ -7,6 +7,7 @@ import { test } from "node:test";
 import { CHART } from "../../src/words/charttable";
 import { DRAW } from "../../src/words/drawtable";
 import { EDITOR } from "../../src/words/editortable";
+import { LATER } from "../../src/words/latertable";
 import { LEARN } from "../../src/words/learntable";
 import { PROJECT } from "../../src/words/projecttable";
 import { SITE } from "../../src/words/sitetable";
@@ -14,7 +15,7 @@ import { SLOW } from "../../src/words/slowtable";
 import { TABLE } from "../../src/words/table";
 
 /** That of the page, and those of its parts that are loaded later. */
-const ALL: Readonly<Record<string, readonly [string, string]>> = { ...TABLE, ...CHART, ...PROJECT, ...DRAW, ...LEARN, ...SITE, ...SLOW };
+const ALL: Readonly<Record<string, readonly [string, string]>> = { ...TABLE, ...LATER, ...CHART, ...PROJECT, ...DRAW, ...LEARN, ...SITE, ...SLOW };
 
 /** The files of a folder and of those in it. */
 const below = (folder: string): string[] => readdirSync(folder, { recursive: true }).map(String).filter((name) => /\.\w+$/.test(name)).map((name) => join(folder, name));
@@ -27,7 +28,7 @@ const SAME: readonly string[] = ["viewDraw", "ok", "alarmNormal"];
 const values = (text: string): string[] => [...text.matchAll(/\{(\w+)\}/g)].map((match) => match[1] ?? "").sort();
 
 test("no table takes the words of another", () => {
-  const keys = [TABLE, CHART, PROJECT, DRAW, LEARN, SITE, SLOW].flatMap((table) => Object.keys(table));
+  const keys = [TABLE, LATER, CHART, PROJECT, DRAW, LEARN, SITE, SLOW].flatMap((table) => Object.keys(table));
   assert.deepEqual(keys.filter((key, at) => keys.indexOf(key) !== at), []);
 });
 
@@ -56,7 +57,7 @@ test("what the page names is there", () => {
 
 test("no text is without a use", () => {
   const folders = ["src/page", "src/site", "src/words", "static"].map((folder) => join(lab, folder));
-  const tables = ["", "chart", "project", "draw", "learn", "site", "slow"].map((part) => join(lab, `src/words/${part}table.ts`));
+  const tables = ["", "later", "chart", "project", "draw", "learn", "site", "slow"].map((part) => join(lab, `src/words/${part}table.ts`));
   const all = folders.flatMap(below).filter((file) => !tables.includes(file)).map((file) => readFileSync(file, "utf8")).join("\n");
   const idle = Object.keys(ALL).filter((key) => !all.includes(`"${key}"`));
   assert.deepEqual(idle, []);

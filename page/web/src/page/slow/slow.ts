@@ -2,7 +2,8 @@
 
 import type { Go } from "unoclp-uno/slow";
 import { dressIn } from "../../offline/beside";
-import type { Made, Stood, Text } from "../../tools/answers";
+import type { Made, Seen, Stood, Text } from "../../tools/answers";
+import { hasBit } from "../../tools/bits";
 import type { RemoteTools } from "../../tools/remote";
 import { Refusal } from "../../tools/tools";
 import { SLOW } from "../../words/slowtable";
@@ -12,6 +13,7 @@ import type { ProgramDocument } from "../document";
 import { byId, h } from "../dom";
 import type { Editor } from "../editor";
 import { note } from "../notes";
+import { upTo } from "../points";
 import { type Stop, lineOf, lineStarts, rungStarts, stopAt } from "./code";
 import { markDrawings, markText, selected } from "./marks";
 import { type Stepper, isKnown, stepper } from "./stepper";
@@ -37,6 +39,15 @@ interface Held {
   readonly made: Made;
   readonly rungs: readonly number[];
   readonly stepper: Stepper;
+}
+
+/** The bits of a number: outputs above it stay as they were read. */
+const BITS = 32;
+
+/** A reading as it is where the board stands: what is shown live, and the outputs at their pins. */
+function readAt(seen: Seen, { live, driven }: Stood): Seen {
+  const outputs = [...upTo(BITS).filter((output) => hasBit(driven, output)), ...seen.outputs.filter((output) => output > BITS)];
+  return { ...seen, live, outputs };
 }
 
 export class SlowMotion {
@@ -80,8 +91,7 @@ export class SlowMotion {
     });
     // While the board stands, what is shown live is where it stands.
     seen.follow((now) => {
-      const live = this.now?.live;
-      if (live && now && now.live !== live) seen.value = { ...now, live };
+      if (now && this.now?.live && now.live !== this.now.live) seen.value = readAt(now, this.now);
     });
     speak.follow(() => {
       translate(this.root);
@@ -192,7 +202,7 @@ export class SlowMotion {
     if (!this.held) return;
     this.now = now;
     const { seen } = this.bench;
-    if (seen.value && now.live) seen.value = { ...seen.value, live: now.live };
+    if (seen.value && now.live) seen.value = readAt(seen.value, now);
     this.show();
   }
 
@@ -234,7 +244,7 @@ export class SlowMotion {
   /** What stands beside the drawing. */
   private registers(now: Stood, made: Made): HTMLElement[] {
     const one = (words: keyof typeof SLOW, id: string, value: string): HTMLElement[] => [h("dt", {}, say(words)), h("dd", { id }, value)];
-    const bit = (bits: number, number: number): string => String((bits >>> (number - 1)) & 1);
+    const bit = (bits: number, number: number): string => String(Number(hasBit(bits, number)));
     const points = (words: keyof typeof SLOW, letter: string, numbers: readonly number[], image: number, pins: number): HTMLElement =>
       h("table", { id: `slow-${letter}` },
         h("caption", {}, say(words)),

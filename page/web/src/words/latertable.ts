@@ -1,0 +1,30 @@
+// The texts of parts that few ask for, and that are loaded with them: settings, the card. In English and in Brazilian
+// Portuguese.
+
+export const LATER = {
+  settingsOf: ["Stored settings, used after the next start", "Ajustes guardados, usados a partir do próximo início"],
+  settingsSeek: ["No board answers at address {address}, {rate} baud, {parity}. If your board has other settings, enter them:", "Nenhuma placa responde no endereço {address}, {rate} baud, {parity}. Se a sua tem outros ajustes, indique-os:"],
+  settingsNext: ["The board still uses address {address}, {rate} baud, {parity}. Restart it to apply the stored settings.", "A placa ainda usa o endereço {address}, {rate} baud, {parity}. Reinicie-a para ela usar os ajustes guardados."],
+  settingsHint: ["To restore the defaults, connect A5 and the inputs 01 to 04 to ground and reset the board. Here: close the STOP switch, latch buttons 1 to 4, press Reset.", "Para voltar aos ajustes de fábrica, ligue A5 e as entradas 01 a 04 ao GND e faça o reset. Aqui: feche a chave STOP, fixe os botões 1 a 4, aperte Reiniciar."],
+  settingsKeep: ["Keep on the board", "Guardar na placa"],
+  settingsRestart: ["Restart the board", "Reiniciar a placa"],
+  settingsFind: ["Look for the board", "Procurar a placa"],
+  address: ["Address", "Endereço"],
+  parityNone: ["no parity", "sem paridade"],
+  parityEven: ["even parity", "paridade par"],
+  parityOdd: ["odd parity", "paridade ímpar"],
+  direction: ["A4 is the direction pin (RS-485)", "A4 é o pino de direção (RS-485)"],
+  lock: ["Lock now, against everyone", "Bloquear já, para todos"],
+  lockUpload: ["uploads", "envios"],
+  lockSettings: ["settings", "ajustes"],
+  lockCommands: ["commands", "comandos"],
+  lockWriting: ["writing and forcing", "escrita e forçamento"],
+  cardEmpty: ["The slot is empty. Insert a card with the program in the editor.", "O leitor está vazio. Insira um cartão com o programa do editor."],
+  cardMake: ["Card with this program", "Cartão com este programa"],
+  cardOpen: ["Open a card image…", "Abrir a imagem de um cartão…"],
+  cardNoProgram: ["Missing: the board runs the program in its EEPROM.", "Não existe: a placa executa o programa da EEPROM."],
+  cardNoState: ["Missing: the board does not write its inputs and outputs to this card.", "Não existe: a placa não grava entradas e saídas neste cartão."],
+  cardState: ["With STATE.TXT, where the board writes inputs and outputs", "Com STATE.TXT, onde a placa grava entradas e saídas"],
+  rate: ["Rate, in baud", "Taxa, em baud"],
+  parity: ["Parity", "Paridade"],
+} as const satisfies Readonly<Record<string, readonly [string, string]>>;
