@@ -16,7 +16,7 @@ import { keep, kept } from "./kept";
 import type { MachineArea } from "./machine";
 import { announce, note } from "./notes";
 import { showColumn } from "./column";
-import { copyLink } from "./share";
+import { copyLink } from "./links";
 import { Verdict } from "./verdict";
 
 /** An exercise as the build has put it into the page. */

@@ -11,7 +11,7 @@ import type { Machines } from "./machines";
 import { announce, note } from "./notes";
 import { Scene } from "./scene";
 import { seconds } from "./seconds";
-import { copyLink } from "./share";
+import { copyLink } from "./links";
 import { Signal } from "./signal";
 
 /** A machine as a file. */

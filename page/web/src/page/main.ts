@@ -24,7 +24,7 @@ import { here, keptAt, keptHere, moveOn, moveTo, programOf } from "./place";
 import { pointsOf } from "./points";
 import { whyNot } from "./problems";
 import { ProgramView } from "./programview";
-import { carriedBy } from "./share";
+import { carriedBy } from "./links";
 import { startControl } from "./start";
 import { statusOf } from "./status";
 import { Tabs } from "./tabs";

@@ -15,7 +15,7 @@ import { type Row, elementsOf, entry, menu } from "./menu";
 import { note } from "./notes";
 import { isLetter } from "./paper";
 import { others } from "./place";
-import { copyLink } from "./share";
+import { copyLink } from "./links";
 import type { Tabs } from "./tabs";
 import { theme } from "./theme";
 import { tongue } from "./tongue";

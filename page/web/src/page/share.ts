@@ -1,6 +1,6 @@
 // A link that carries a program, an exercise or a machine in its fragment, which no server sees.
 
-import { say } from "../words/words";
+import { say } from "../words/later";
 import { note } from "./notes";
 
 /** What is inflated at most: a link may be a bomb. */
