@@ -136,6 +136,8 @@ const menus = new Map();
  * @param {string} row */
 async function menuOf(page, row) {
   if (!menus.has(row)) {
+    // One that is being loaded again has none yet.
+    await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
     const found = await page.evaluate((row) => [...document.querySelectorAll(".menu > button")].find((one) => {
       const button = /** @type {HTMLButtonElement} */ (one);
       const isShut = button.getAttribute("aria-expanded") === "false";
