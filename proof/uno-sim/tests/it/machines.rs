@@ -95,7 +95,7 @@ fn compare<S: Simulated>(plants: &[Solved], span: u64) {
             let scanned = core.scan(run.inputs(), now).unwrap().unwrap();
             let came = uno.scan(run.inputs(), now).unwrap().unwrap();
             assert_eq!(came, scanned, "{name}: at {now} ms");
-            moved += u64::from(scanned != outputs.points);
+            moved += usize::from(scanned != outputs.points);
             outputs.points = scanned;
             for output in plant.board.pwm_outputs() {
                 let place = usize::from(output);
@@ -118,7 +118,7 @@ fn compare<S: Simulated>(plants: &[Solved], span: u64) {
         }
         assert_ne!(run.hash(), begin, "{name}: nothing happened");
     }
-    assert!(moved > 16, "the machines stood: {moved}");
+    assert!(moved > plants.len(), "the machines stood: {moved}");
 }
 
 #[test]
