@@ -124,14 +124,14 @@ fn compare<S: Simulated>(plants: &[Solved], span: u64) {
 #[test]
 fn the_firmware_controls_machines_as_the_core_does() {
     let plants = plants();
-    assert_eq!(plants.len(), if BOARD == Board::UNO { 16 } else { 2 });
+    assert_eq!(plants.len(), if BOARD == Board::UNO { 16 } else { 4 });
     compare::<Uno>(&plants, 6000);
 }
 
 #[test]
 fn the_firmware_controls_the_machines_of_the_exercises() {
     let plants = of_exercises();
-    assert_eq!(plants.len(), if BOARD == Board::UNO { 28 } else { 2 });
+    assert_eq!(plants.len(), if BOARD == Board::UNO { 28 } else { 4 });
     compare::<Uno>(&plants, 2500);
 }
 
