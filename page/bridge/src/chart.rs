@@ -32,7 +32,7 @@ answer! {
         unit: String,
         /// The element.
         svg: String,
-        /// What stands on it, from top to bottom along its lines.
+        /// What is on it, from top to bottom along its lines.
         parts: Vec<ChartPart>,
         /// The points of each step: whether it is active, and its time; none while the text is no program.
         points: Vec<[Option<String>; 2]>,
