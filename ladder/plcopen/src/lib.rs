@@ -72,7 +72,7 @@ mod xml;
 pub use adapt::adapt;
 pub use alter::{Change, alter};
 pub use bodies::{Touch, charts, touch, write_body, write_chart};
-pub use export::{Exported, Lost, export, export_text};
+pub use export::{Exported, Lost, export, export_blocks, export_text};
 pub use imported::Imported;
 pub use outline::{Outline, Row, Unit, outline};
 pub use program::import;
