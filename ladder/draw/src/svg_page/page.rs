@@ -5,7 +5,7 @@ use super::node::{Node, data, digits};
 use super::wires::{Wires, arms, horizontal, is_rail, is_text, vertical};
 use super::{AXIS, GAP, HEADING, MARGIN, RAIL, TEXT_ROW, WIRE, WIRE_ROW, x};
 use crate::block::Cell;
-use crate::{Drawing, Ladder, Net, Picture, Rung};
+use crate::{Ladder, Net, Picture, Rung};
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -97,7 +97,7 @@ impl Font {
 pub(super) struct Page<'p> {
     pub(super) ladder: &'p Ladder,
     /// Columns, rails included.
-    width: usize,
+    pub(super) width: usize,
     pub(super) group: Node,
     pub(super) y: f32,
     /// On a screen, where a style sheet says how all of it looks, and what is live has a name: the rung that is drawn.
@@ -109,11 +109,11 @@ pub(super) struct Page<'p> {
 }
 
 impl<'p> Page<'p> {
-    /// An empty page of paper that begins at this height.
-    pub(super) fn new(drawing: &'p Drawing<'p>, y: f32) -> Page<'p> {
+    /// An empty page of paper, of so many columns, that begins at this height.
+    pub(super) fn new(ladder: &'p Ladder, width: usize, y: f32) -> Page<'p> {
         Page {
-            ladder: drawing.ladder(),
-            width: drawing.width,
+            ladder,
+            width,
             group: Node::group(),
             y,
             screen: None,
