@@ -70,7 +70,7 @@ pub use listing::{Title, listing};
 pub use pins::time;
 pub use power::{Net, Nets, Power};
 pub use style::{Medium, NARROWEST, Style};
-pub use svg_page::{Area, Paper, Report, to_blocks, to_report, to_screen, to_svg};
+pub use svg_page::{Area, Paper, Report, to_blocks, to_picture, to_report, to_screen, to_svg};
 pub use words::picture;
 
 use std::collections::BTreeMap;

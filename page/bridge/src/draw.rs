@@ -12,7 +12,7 @@ use unoclp_program::Lang;
 use unoclp_program::Source;
 use unoclp_program::list::title;
 #[cfg(feature = "full")]
-use unoclp_program::list::{Form, Lost, Paper, list, pages, plcopen, svg};
+use unoclp_program::list::{Form, Lost, Paper, list, pages, picture, plcopen, svg};
 use unoclp_workspace::Analysis;
 
 /// The language of what is drawn.
@@ -60,6 +60,8 @@ pub enum As {
     Numeric,
     /// A ladder diagram as an SVG file, for a report.
     Svg,
+    /// The same without a heading, beside a text that says what it is.
+    Picture,
     /// A project in PLCopen XML.
     Xml,
 }
@@ -129,6 +131,7 @@ pub fn listed(source: &Source, form: As, width: usize, speak: Speak) -> Result<S
         As::St => Form::St,
         As::Numeric => Form::Numeric,
         As::Svg => return Ok(svg(source, width, speak.into())),
+        As::Picture => return Ok(picture(source, width, speak.into())),
         As::Xml => {
             let project = plcopen(source);
             let project = project.map_err(|lost| both(|lang| told(&lost, lang)))?;

@@ -19,13 +19,38 @@ pub fn to_svg(
     title: Title<'_>,
     about: &str,
 ) -> String {
-    let mut page = Page::new(drawing, MARGIN);
     let columns = (drawing.width as f32 * COLUMN / TITLE_LETTER) as usize;
-    for line in wrapped(about, columns) {
-        page.text(MARGIN, page.y + 16.0, &line, &Font::TITLE);
+    under(&wrapped(about, columns), drawing, map, names, title, about)
+}
+
+/// The same without a heading, for a place that says what it is.
+pub fn to_picture(
+    drawing: &Drawing<'_>,
+    map: &SourceMap,
+    names: &Names,
+    title: Title<'_>,
+    about: &str,
+) -> String {
+    under(&[], drawing, map, names, title, about)
+}
+
+/// The drawing under these lines.
+fn under(
+    lines: &[String],
+    drawing: &Drawing<'_>,
+    map: &SourceMap,
+    names: &Names,
+    title: Title<'_>,
+    about: &str,
+) -> String {
+    let mut page = Page::new(drawing, MARGIN);
+    for line in lines {
+        page.text(MARGIN, page.y + 16.0, line, &Font::TITLE);
         page.y += TITLE_ROW;
     }
-    page.y += 40.0 - TITLE_ROW;
+    if !lines.is_empty() {
+        page.y += 40.0 - TITLE_ROW;
+    }
     for (index, picture) in drawing.rungs.iter().enumerate() {
         page.headed(
             &heading(drawing.headed(), map, names, title, index),

@@ -7,7 +7,9 @@ mod words;
 use crate::{Source, WrittenIn, names};
 use std::path::Path;
 use unoclp_draw::edit::Document;
-use unoclp_draw::{Drawing, Ladder, Medium, Names, Report, Style, listing, to_report, to_svg};
+use unoclp_draw::{
+    Drawing, Ladder, Medium, Names, Report, Style, listing, to_picture, to_report, to_svg,
+};
 use unoclp_lang::{Diagnostic, Lang, TextLanguage, instructions_to_il, to_st};
 
 use unoclp_sfc::Sheet;
@@ -113,6 +115,14 @@ pub fn svg(source: &Source, width: usize, lang: Lang) -> String {
     let names = names(&source.map, &ladder);
     let drawing = draw(&ladder, &names, width, Medium::Paper);
     to_svg(&drawing, &source.map, &names, &title(lang), &about(source))
+}
+
+/// The same without its title, for a place that says what it is.
+pub fn picture(source: &Source, width: usize, lang: Lang) -> String {
+    let ladder = Ladder::new(source.program().steps());
+    let names = names(&source.map, &ladder);
+    let drawing = draw(&ladder, &names, width, Medium::Paper);
+    to_picture(&drawing, &source.map, &names, &title(lang), &about(source))
 }
 
 /// A ladder diagram on pages of paper, each an SVG document: under `heading`, or under the first comment of the file, or
