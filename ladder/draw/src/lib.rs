@@ -71,7 +71,7 @@ pub use pins::time;
 pub use power::{Net, Nets, Power};
 pub use style::{Medium, NARROWEST, Style};
 pub use svg_page::{
-    Area, Paper, Report, to_blocks, to_report, to_screen, to_svg, to_svg_of_blocks,
+    Area, Paper, Report, to_blocks, to_picture, to_report, to_screen, to_svg, to_svg_of_blocks,
 };
 pub use words::picture;
 

@@ -22,6 +22,30 @@ pub fn to_svg(
 ) -> String {
     let mut page = Page::new(drawing.ladder(), drawing.width, MARGIN);
     page.about(about);
+    drawn(page, drawing, map, names, title, about)
+}
+
+/// The same without a heading, for a place that says what it is.
+pub fn to_picture(
+    drawing: &Drawing<'_>,
+    map: &SourceMap,
+    names: &Names,
+    title: Title<'_>,
+    about: &str,
+) -> String {
+    let page = Page::new(drawing.ladder(), drawing.width, MARGIN);
+    drawn(page, drawing, map, names, title, about)
+}
+
+/// The rungs on this page, under their titles.
+fn drawn<'p>(
+    mut page: Page<'p>,
+    drawing: &'p Drawing<'p>,
+    map: &SourceMap,
+    names: &Names,
+    title: Title<'_>,
+    about: &str,
+) -> String {
     for (index, picture) in drawing.rungs.iter().enumerate() {
         page.headed(
             &heading(drawing.headed(), map, names, title, index),

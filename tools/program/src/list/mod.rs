@@ -8,7 +8,7 @@ use crate::{Source, WrittenIn, names};
 use std::path::Path;
 use unoclp_draw::edit::Document;
 use unoclp_draw::{Drawing, Ladder, Medium, Names, Report, Style};
-use unoclp_draw::{listing, listing_of_blocks, to_report, to_svg, to_svg_of_blocks};
+use unoclp_draw::{listing, listing_of_blocks, to_picture, to_report, to_svg, to_svg_of_blocks};
 use unoclp_lang::{Diagnostic, Lang, TextLanguage, instructions_to_il, to_st};
 
 use unoclp_sfc::Sheet;
@@ -136,7 +136,15 @@ pub fn svg(source: &Source, width: usize, lang: Lang) -> String {
     to_svg(&drawing, &source.map, &names, &title(lang), &about(source))
 }
 
-/// The same as block diagrams.
+/// The same without its title, for a place that says what it is.
+pub fn picture(source: &Source, width: usize, lang: Lang) -> String {
+    let ladder = Ladder::new(source.program().steps());
+    let names = names(&source.map, &ladder);
+    let drawing = draw(&ladder, &names, width, Medium::Paper);
+    to_picture(&drawing, &source.map, &names, &title(lang), &about(source))
+}
+
+/// As [`svg`], of block diagrams.
 pub fn svg_of_blocks(source: &Source, lang: Lang) -> String {
     let ladder = Ladder::new(source.program().steps());
     let names = &names(&source.map, &ladder);
