@@ -359,11 +359,10 @@ impl<'a, 'x: 'a> Grown<'_, '_, 'a, 'x> {
         let sheet = self.sheet;
         let list = first(block, "inputVariables")?;
         let pins: Vec<Node<'_, '_>> = all(list, "variable").collect();
-        let open = pins
+        let points = pins
             .iter()
             .filter_map(|pin| first(*pin, "connectionPointIn"));
-        let open = open.filter(|pin| sheet.wires(*pin).is_empty());
-        let open = open.last();
+        let open = points.rev().find(|pin| sheet.wires(*pin).is_empty());
         let at = (x - COLUMN, y + 24.0 + 20.0 * pins.len() as f64);
         let (id, value) = self.value(value, at);
         let start = block.range().start;

@@ -18,8 +18,15 @@ pub(crate) struct Signature {
     pub is_instance: bool,
 }
 
-/// The blocks of the standard: inputs with their values, outputs, and whether each is called by an instance.
-const STANDARD: [(&[&str], &[(&str, &str)], &[&str], bool); 12] = [
+/// Blocks of the standard: names, inputs with their values, outputs, and whether each is called by an instance.
+type Standard = (
+    &'static [&'static str],
+    &'static [(&'static str, &'static str)],
+    &'static [&'static str],
+    bool,
+);
+
+const STANDARD: [Standard; 12] = [
     (
         &["TON", "TOF", "TP"],
         &[("IN", "FALSE"), ("PT", "T#1s")],

@@ -156,7 +156,7 @@ fn a_ladder_of_a_unit_grows_and_shrinks() {
     ));
     // In parallel: what takes the one takes the other.
     let (text, beside) = drawn(FIVE, "Latch", Where::Beside, "3", "contact");
-    assert!(text.contains(&format!("<connection refLocalId=\"3\"/>")));
+    assert!(text.contains("<connection refLocalId=\"3\"/>"));
     assert!(text.contains(&format!("<connection refLocalId=\"{beside}\"/>")));
     let (text, coil) = drawn(&text, "Latch", Where::Beside, "5", "coil");
     let (text, _) = drawn(&text, "Latch", Where::Before, &coil, "contact");
