@@ -56,6 +56,13 @@ impl Chip {
         }
     }
 
+    /// That whose SRAM has this last address.
+    pub(crate) fn of_ram_end(address: u32) -> Option<Chip> {
+        [Chip::Atmega328p, Chip::Atmega2560]
+            .into_iter()
+            .find(|chip| chip.ram_end() == address)
+    }
+
     /// The board of the chip.
     pub fn board(self) -> Board {
         match self {

@@ -83,6 +83,26 @@ impl Program {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{Chip, Slot, Uno};
+
+    /// A file in Intel HEX does not say for which chip it is; its symbols do.
+    #[test]
+    fn the_tested_firmware_of_each_board_is_read_for_its_chip() {
+        let firmware = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../firmware");
+        for (name, chip) in [
+            ("uno", Chip::Atmega328p),
+            ("nano", Chip::Atmega328p),
+            ("mega", Chip::Atmega2560),
+        ] {
+            let hex = firmware.join(format!("unoclp-{name}.hex"));
+            let program = Program::read(&hex).unwrap();
+            assert_eq!(program.chip(), chip, "{name}");
+            let mut uno = Uno::with_program(program, Slot::Empty).unwrap();
+            uno.run_ms(1_000).unwrap();
+            let said = uno.serial();
+            assert!(said.contains("unoclp 0."), "{name}: {said}");
+        }
+    }
 
     #[test]
     fn only_an_elf_file_for_avr_is_taken() {

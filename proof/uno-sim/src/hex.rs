@@ -1,7 +1,7 @@
 //! A program from a file in Intel HEX: a boot loader, or the tested firmware with its symbols beside it.
 
 use crate::Error;
-use crate::chip::{Chip, FLASH_LEN, RAM_START};
+use crate::chip::Chip;
 use crate::program::{Program, Space, Symbol, locate};
 use ihex::Record;
 use std::collections::BTreeMap;
@@ -11,26 +11,37 @@ use std::path::Path;
 /// The linker's name for the first byte of RAM that the program leaves free.
 const FREE_RAM: &str = "_end";
 
+/// Its name for the last byte of RAM, which says what chip the program is for.
+const RAM_END: &str = "__stack";
+
 /// Reads a firmware and its symbols.
 ///
 /// # Errors
 /// Where a file cannot be read, is of another form, or does not fit the chip.
 pub(crate) fn read(path: &Path) -> Result<Program, Error> {
-    let mut program = Program::empty(FLASH_LEN);
-    load(&mut program, path)?;
     let beside = path.with_extension("symbols");
     let text = fs::read_to_string(&beside).map_err(Error::read(&beside))?;
-    program.symbols = symbols(&text).map_err(|line| {
+    let symbols = symbols(&text).map_err(|line| {
         Error::unfit(
             &beside,
             format!("its line {line} is not one of `avr-nm -S`"),
         )
     })?;
-    program.static_ram_end = program
-        .symbol(FREE_RAM)
-        .ok_or_else(|| Error::unfit(&beside, format!("it does not name {FREE_RAM}")))?
-        .address
-        .max(RAM_START);
+    let address = |name| {
+        let symbol = symbols.get(name).map(|symbol| symbol.address);
+        symbol.ok_or_else(|| Error::unfit(&beside, format!("it does not name {name}")))
+    };
+    let ram_end = address(RAM_END)?;
+    let chip = Chip::of_ram_end(ram_end)
+        .ok_or_else(|| Error::unfit(&beside, format!("no chip here has RAM up to {ram_end:#x}")))?;
+    let static_ram_end = address(FREE_RAM)?.max(chip.ram_start());
+    let mut program = Program {
+        chip,
+        symbols,
+        static_ram_end,
+        ..Program::empty(chip.flash_len())
+    };
+    load(&mut program, path)?;
     Ok(program)
 }
 

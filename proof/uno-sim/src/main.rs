@@ -14,7 +14,7 @@ use std::sync::atomic::AtomicBool;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::time::Duration;
 use unoclp_card::image::{Fat, Image as CardImage};
-use unoclp_core::{Image, Inputs, Millis};
+use unoclp_core::{Board, Image, Inputs, Millis};
 use unoclp_exercise::scenario::{self, ProgramFile, Scenario, Verdict};
 use unoclp_host_sim::engine::{Cell, Engine, Outcome, Refusal};
 use unoclp_lang::{Lang, show};
@@ -22,9 +22,7 @@ use unoclp_program::{Refused, Written};
 use unoclp_uno_sim::engine::{Clock, EngineError, UnoEngine};
 use unoclp_uno_sim::port::{Options, Pace, Port};
 use unoclp_uno_sim::sd::{Kind, SdCard};
-use unoclp_uno_sim::{
-    BootLoader, EEPROM_LEN, Error, Line, Parity, Program, Slot, Uno, firmware_file,
-};
+use unoclp_uno_sim::{BootLoader, Error, Line, Parity, Program, Slot, Uno, firmware_file};
 
 #[derive(Parser)]
 #[command(version, about = "The unoclp firmware on a simulated Arduino UNO")]
@@ -56,10 +54,10 @@ enum Command {
         /// The image of the card in the slot
         #[arg(long)]
         card: Option<PathBuf>,
-        /// The file in which the EEPROM is kept: 1024 bytes, made where there is none
+        /// The file in which the EEPROM is kept, all of its bytes; made where there is none
         #[arg(long)]
         eeprom: Option<PathBuf>,
-        /// The firmware, where it is not the one that `cargo xtask firmware` has left
+        /// The firmware, where it is not the UNO's that `cargo xtask firmware` has left; it says which board it is for
         #[arg(long)]
         elf: Option<PathBuf>,
         /// A board out of its box in place of the firmware: this boot loader, and a sketch that does nothing
@@ -139,10 +137,15 @@ fn main() -> Result<ExitCode> {
             realtime,
             reset,
         } => {
+            let chip = match boot_loader {
+                Some(boot_loader) => boot_loader.program()?,
+                None => Program::read(&elf.map_or_else(firmware_file, Ok)?)?,
+            };
+            let board = chip.chip().board();
             let image = match (program, card) {
                 (Some(program), _) => Some(
                     CardImage::new(Fat::Fat16)
-                        .file("PROGRAM.TXT", numeric(&program)?)
+                        .file("PROGRAM.TXT", numeric(&program, board)?)
                         .build()?,
                 ),
                 (None, Some(card)) => Some(file("card image", &card)?),
@@ -160,10 +163,6 @@ fn main() -> Result<ExitCode> {
                 },
                 reset_on_open: reset,
             };
-            let chip = match boot_loader {
-                Some(boot_loader) => boot_loader.program()?,
-                None => Program::read(&elf.map_or_else(firmware_file, Ok)?)?,
-            };
             let kept = eeprom.map(Kept::open).transpose()?;
             serve(chip, slot, kept, Line { baud, parity }, options)
         }
@@ -175,12 +174,8 @@ fn file(what: &str, path: &Path) -> Result<Vec<u8>> {
 }
 
 /// A program as numeric code: what is written in Instruction List is compiled.
-fn numeric(path: &Path) -> Result<Vec<u8>> {
-    let written = Written::new(
-        path.display().to_string(),
-        file("program", path)?,
-        unoclp_core::Board::UNO,
-    );
+fn numeric(path: &Path, board: Board) -> Result<Vec<u8>> {
+    let written = Written::new(path.display().to_string(), file("program", path)?, board);
     if !written.is_text() {
         // With its faults, if it has any: the board tells them.
         return Ok(written.bytes);
@@ -226,15 +221,18 @@ impl Kept {
         let Some(bytes) = &self.bytes else {
             return Ok(program);
         };
+        let own = program.chip().eeprom_len();
         program.with_eeprom(bytes.clone()).map_err(|length| {
             let path = self.path.display();
-            anyhow!("{path} has {length} bytes and is no EEPROM, which has {EEPROM_LEN}; it is left as it is")
+            anyhow!(
+                "{path} has {length} bytes and is no EEPROM, which has {own}; it is left as it is"
+            )
         })
     }
 
     /// Keeps what the board has, where it differs from what stands there.
     fn keep(&mut self, port: &Port) -> Result<()> {
-        let now = port.with(|uno| uno.read_eeprom(0, EEPROM_LEN))??;
+        let now = port.with(|uno| uno.read_eeprom(0, uno.chip().eeprom_len()))??;
         if self.bytes.as_ref() != Some(&now) {
             std::fs::write(&self.path, &now)
                 .with_context(|| format!("the EEPROM {} cannot be written", self.path.display()))?;
@@ -325,7 +323,7 @@ fn serve(
 const LATER: u64 = 1_100;
 
 fn demo(elf: &Path, card: &Path, scenario: &Path) -> Result<ExitCode> {
-    let scenario = Scenario::load(scenario, unoclp_core::Board::UNO)?;
+    let scenario = Scenario::load(scenario, Board::UNO)?;
     let card = SdCard::new(Kind::Sdhc, file("card image", card)?)?;
     let engine = UnoEngine::new(Program::read(elf)?, Clock::Running)?;
 
@@ -373,11 +371,7 @@ fn state(uno: &mut Uno) -> Option<String> {
 
 /// The comment at the head of a program. Of one that has faults the board itself tells them.
 fn opening(program: &ProgramFile) -> Vec<String> {
-    let written = Written::new(
-        program.name.clone(),
-        program.bytes.clone(),
-        unoclp_core::Board::UNO,
-    );
+    let written = Written::new(program.name.clone(), program.bytes.clone(), Board::UNO);
     let source = written.check(None).ok();
     source.map_or_else(Vec::new, |source| source.map.title)
 }

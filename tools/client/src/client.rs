@@ -3,10 +3,11 @@
 use crate::AT_A_LINE;
 use crate::identity::Identity;
 use crate::link::{Format, Gone, Link};
+use crate::start::{QUIET, is_start_text};
 use std::time::Duration;
 use unoclp_core::Board;
 use unoclp_modbus::client::{NoReply, Reply, Request};
-use unoclp_modbus::map::{Parity, Span, holding, setting};
+use unoclp_modbus::map::{Command, Parity, Span, holding, setting};
 use unoclp_modbus::{Exception, Table};
 
 /// How a board is spoken to.
@@ -260,6 +261,20 @@ impl Client {
         Ok(self.link.wait(self.now() + pause, is_so).await?)
     }
 
+    /// Leaves a board alone that may be in its boot loader, until that has given up or the firmware has said its text.
+    async fn rest(&mut self) -> Result<(), Failure> {
+        let Some(until) = self.link.rests() else {
+            return Ok(());
+        };
+        self.link.heard(true, until);
+        let mut said = Vec::new();
+        let mut quiet = until;
+        while !is_start_text(&said) && self.link.receive(&mut said, quiet).await? {
+            quiet = self.now() + QUIET;
+        }
+        Ok(())
+    }
+
     /// Sends a request until it is answered; gives what there is to take from the answer.
     async fn ask<T>(
         &mut self,
@@ -295,9 +310,11 @@ impl Client {
     /// # Errors
     /// [`Failure`], but not [`Failure::Refused`].
     pub async fn forward(&mut self, request: &Request) -> Result<Vec<u8>, Failure> {
+        self.rest().await?;
         self.pause(self.gap, || false).await?;
         self.link.send(request.bytes());
-        let until = self.now() + self.transit + self.patience.answer;
+        let asked = self.now();
+        let until = asked + self.transit + self.patience.answer;
         let mut came = Vec::new();
         let is_answer = loop {
             if let Some(answer) = request.answer(&came) {
@@ -305,6 +322,7 @@ impl Client {
             }
             if !self.link.receive(&mut came, until).await? {
                 let nothing = came.is_empty();
+                self.link.heard(!nothing, asked);
                 return Err(if nothing {
                     Failure::Silent
                 } else {
@@ -312,7 +330,11 @@ impl Client {
                 });
             }
         };
+        self.link.heard(true, asked);
         if is_answer {
+            if request.written(holding::COMMAND) == Some(Command::Restart as u16) {
+                self.link.begins_again();
+            }
             return Ok(came);
         }
         // The rest of what is no answer is over before the next attempt.

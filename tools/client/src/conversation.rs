@@ -31,12 +31,11 @@
 //! ```
 
 use crate::client::{Client, Line, Patience};
-use crate::link::{Format, Link, Mailbox};
+use crate::link::{Format, Known, Link, Mailbox};
 use std::pin::Pin;
 use std::rc::Rc;
 use std::task::{Context, Poll, Waker};
 use std::time::Duration;
-use unoclp_core::Board;
 
 /// Something that is being said to a board, until it comes to a `T`.
 pub struct Conversation<'a, T> {
@@ -110,14 +109,14 @@ impl<'a, T> Conversation<'a, T> {
         }
     }
 
-    /// The board that has been met in it.
-    pub fn board(&self) -> Board {
-        self.mailbox.board.get()
+    /// What it knows of the other end.
+    pub fn known(&self) -> Known {
+        self.mailbox.known.get()
     }
 
-    /// The board at the other end was met in another conversation.
-    pub fn meet(&self, board: Board) {
-        self.mailbox.board.set(board);
+    /// Another conversation on the same clock has come to know this.
+    pub fn know(&self, known: Known) {
+        self.mailbox.known.set(known);
     }
 
     /// The port is gone, and why: the next step is told so, and all that is said from then on fails.

@@ -46,7 +46,7 @@ pub mod words;
 
 pub use client::{Client, Failure, Line, Patience};
 pub use conversation::{Conversation, Next, Step};
-pub use link::Format;
+pub use link::{Format, Known};
 pub use order::Order;
 pub use unoclp_modbus::map::Parity;
 pub use unoclp_modbus::{lock, map};

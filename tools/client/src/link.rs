@@ -24,8 +24,8 @@ pub(crate) struct Mailbox {
     pub format: Cell<Format>,
     /// The board is to be reset.
     pub reset: Cell<bool>,
-    /// The board at the other end.
-    pub board: Cell<Board>,
+    /// What is known of the other end.
+    pub known: Cell<Known>,
     pub now: Cell<Duration>,
     /// When to go on if nothing comes.
     pub until: Cell<Duration>,
@@ -33,6 +33,32 @@ pub(crate) struct Mailbox {
     pub send: RefCell<Vec<u8>>,
     pub gone: RefCell<Option<String>>,
 }
+
+/// What one conversation knows of the other end, for the next one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Known {
+    /// The board, once it has said which it is.
+    pub board: Board,
+    /// Requests that stayed without a byte in answer, one after another.
+    unanswered: u32,
+    /// When the last of them was sent.
+    asked: Duration,
+}
+
+impl Default for Known {
+    fn default() -> Known {
+        Known {
+            board: AT_A_LINE,
+            unanswered: 0,
+            asked: Duration::ZERO,
+        }
+    }
+}
+
+/// So many requests without an answer, and the board may be in its boot loader.
+const SILENT: u32 = 3;
+/// The Mega's boot loader takes a request for its own language, and starts the firmware once it has heard nothing for 5 s.
+const BOOT_LOADER: Duration = Duration::from_secs(6);
 
 /// The port is gone, and why.
 #[derive(Debug)]
@@ -47,7 +73,7 @@ impl Mailbox {
         Mailbox {
             format: Cell::new(format),
             reset: Cell::default(),
-            board: Cell::new(AT_A_LINE),
+            known: Cell::default(),
             now: Cell::default(),
             until: Cell::default(),
             came: RefCell::default(),
@@ -84,12 +110,41 @@ impl Link {
 
     /// The board at the other end.
     pub fn board(&self) -> Board {
-        self.0.board.get()
+        self.0.known.get().board
     }
 
     /// It has said which it is.
     pub fn meet(&self, board: Board) {
-        self.0.board.set(board);
+        let known = self.0.known.get();
+        self.0.known.set(Known { board, ..known });
+    }
+
+    /// A request that was sent then has been answered, or nothing has come.
+    pub fn heard(&self, answered: bool, asked: Duration) {
+        let known = self.0.known.get();
+        let unanswered = if answered { 0 } else { known.unanswered + 1 };
+        self.0.known.set(Known {
+            unanswered,
+            asked,
+            ..known
+        });
+    }
+
+    /// It has been told to begin again.
+    pub fn begins_again(&self) {
+        let known = self.0.known.get();
+        self.0.known.set(Known {
+            unanswered: SILENT,
+            asked: self.now(),
+            ..known
+        });
+    }
+
+    /// Until when a further request would keep the board in its boot loader; none where it would not.
+    pub fn rests(&self) -> Option<Duration> {
+        let known = self.0.known.get();
+        let waits = known.board == Board::MEGA && known.unanswered >= SILENT;
+        waits.then_some(known.asked + BOOT_LOADER)
     }
 
     /// Sends bytes. What has come before that is forgotten: it is late, or was never meant for us.

@@ -20,7 +20,7 @@ pub enum NotFound {
 }
 
 /// Silence after which a board is taken for one that has no boot text to say.
-const QUIET: Duration = Duration::from_millis(2500);
+pub(crate) const QUIET: Duration = Duration::from_millis(2500);
 
 /// Finds the board. One that has probably been reset as the port was opened is given the time to start.
 ///
@@ -60,7 +60,7 @@ pub fn judged(identity: Result<Identity, Failure>) -> Result<Identity, NotFound>
 }
 
 /// Whether this is all that a board says when it starts: it ends with `RUN`, `STOP` or a fault.
-fn is_start_text(said: &[u8]) -> bool {
+pub(crate) fn is_start_text(said: &[u8]) -> bool {
     let Some(lines) = said.strip_suffix(b"\r\n") else {
         return false;
     };

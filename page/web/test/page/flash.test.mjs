@@ -9,8 +9,10 @@ import { Lab, pick, run, select, still, type, unfold } from "./harness.mjs";
 import { Cable } from "./port.mjs";
 import { Served } from "./served.mjs";
 
-/** A firmware of four pages that does nothing: it is written in a moment. */
-const SMALL = readFileSync(new URL("../../../../proof/uno-sim/tests/data/loop.hex", import.meta.url), "utf8");
+/** A firmware of a few pages that does nothing: it is written in a moment. @param {string} name */
+const small = (name) => readFileSync(new URL(`../../../../proof/uno-sim/tests/data/${name}`, import.meta.url), "utf8");
+const SMALL = small("loop.hex");
+const SMALL_MEGA = small("loop-mega.hex");
 
 /** STK500: a page follows, which is written. */
 const WRITE_PAGE = 0x64;
@@ -22,7 +24,7 @@ before(async () => {
 });
 after(() => lab.end());
 
-/** A page at a board out of its box; the small firmware stands for both, if so.
+/** A page at a board out of its box; a small firmware stands for that of each board, if so.
  * @param {string} bootLoader @param {boolean} isSmall */
 async function boxed(bootLoader, isSmall) {
   const board = await Served.begin("--boot-loader", bootLoader);
@@ -31,7 +33,10 @@ async function boxed(bootLoader, isSmall) {
   // The board at the port is in a hurry: the page's own one stands.
   await still(page);
   // The simulated board has taken its own before.
-  if (isSmall) await page.route(/unoclp(-nano)?\.hex$/, (route) => route.fulfill({ body: SMALL }));
+  if (isSmall) {
+    await page.route(/unoclp(-nano)?\.hex$/, (route) => route.fulfill({ body: SMALL }));
+    await page.route(/unoclp-mega\.hex$/, (route) => route.fulfill({ body: SMALL_MEGA }));
+  }
   await pick(page, "#connect");
   await unfold(page, "#put-firmware");
   await page.locator("#put-firmware").waitFor();
@@ -128,3 +133,26 @@ test("a Nano of before 2018 is another choice, which the page names where the fi
   await page.locator("#desk-about", { hasNotText: "%" }).waitFor({ state: "attached" });
   await end();
 });
+
+for (const { box, own, other, signature } of [
+  { box: "mega", own: "mega", other: "uno", signature: "1E 98 01" },
+  { box: "optiboot", own: "uno", other: "mega", signature: "1E 95 0F" },
+]) {
+  test(`the firmware for ${other} is refused by the signature of a board of the kind ${own}, and its own goes on`, async () => {
+    const { page, end } = await boxed(box, true);
+    for (const [speak, runs, kept] of /** @type {const} */ ([
+      ["en", "this firmware does not run on that board", "The board still has its old firmware"],
+      ["pt", "este firmware não roda nessa placa", "A placa ainda tem o firmware antigo"],
+    ])) {
+      await select(page, "#speak", speak);
+      await select(page, "#model", other);
+      await pick(page, "#put-firmware");
+      const said = await noted(page, "FW-23");
+      for (const part of [signature, runs, kept]) assert.ok(said.includes(part), said);
+    }
+    await select(page, "#model", own);
+    await pick(page, "#put-firmware");
+    await noted(page, "gravado e conferido");
+    await end();
+  });
+}

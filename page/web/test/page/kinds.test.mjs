@@ -120,7 +120,7 @@ const seen = (page, around) => page.waitForFunction((around) => {
   const box = document.querySelector(around)?.getBoundingClientRect();
   if (!box) return false;
   const [top, bottom] = [Math.max(box.top, 0), Math.min(box.bottom, innerHeight)];
-  const parts = ["#replay-picture", "#replay-play", "#replay .diagram svg"].map((part) => document.querySelector(part)?.getBoundingClientRect());
+  const parts = ["#replay-picture", "#replay-play", "#replay .diagram"].map((part) => document.querySelector(part)?.getBoundingClientRect());
   return parts.every((part) => part && part.height > 0 && part.top >= top - 1 && part.bottom <= bottom + 1);
 }, around);
 
@@ -132,7 +132,10 @@ test("what went wrong with a machine is seen again from two seconds before, with
   await page.locator("#machine-verdict.bad", { hasText: "at 47 s" }).waitFor();
   await seen(page, "#exercise");
   const diagram = page.locator("#replay .diagram svg");
-  await diagram.getByText("I1", { exact: false }).first().waitFor();
+  const name = diagram.getByText("I1", { exact: false }).first();
+  await name.waitFor();
+  // It is as large as it is read; of many lanes the others are scrolled to.
+  assert.ok(await name.evaluate((text) => (/** @type {SVGTextElement} */ (text).getScreenCTM()?.a ?? 0) >= 0.95));
   // By the keyboard to its beginning, which is two seconds before.
   await page.focus("#replay-time");
   await page.keyboard.press("Home");

@@ -7,10 +7,14 @@ use std::path::Path;
 use std::time::Duration;
 use unoclp_boot::{self as boot, Failure, Image, Model, Stage, Trouble, Writer};
 use unoclp_cli::port::Port as SerialPort;
-use unoclp_client::flash;
+use unoclp_client::diagnostics::Diagnostics;
 use unoclp_client::session::Event;
 use unoclp_client::start::find;
+use unoclp_client::upload::await_start;
+use unoclp_client::watch::command;
+use unoclp_client::{Client, Conversation, Next, Patience, flash};
 use unoclp_lang::Lang;
+use unoclp_modbus::map::{Command, State};
 use unoclp_uno_sim::port::{Options, Pace, Port};
 use unoclp_uno_sim::{BootLoader, CYCLES_PER_MS, Line, Program, STALL, Slot, Uno};
 
@@ -179,6 +183,73 @@ fn a_reset_by_the_watchdog_is_told_after_the_boot_loader() {
         assert_eq!(uno.outputs(), 0, "{model:?}");
         assert_eq!(common::modbus::input(&mut uno, 19), 3, "{model:?}");
     }
+}
+
+/// Debian's boot loader for the Mega means to go on at once after a reset by the watchdog, but misses the firmware, and
+/// waits as after any other reset. Each request that it hears then keeps it waiting. So the client leaves the board alone.
+#[test]
+fn a_board_that_was_told_to_restart_is_met_again() {
+    for model in [Model::Uno, Model::Mega] {
+        let mut uno = chip(model, Slot::Card(common::card(FOLLOW)));
+        assert_eq!(flash(&mut uno, &firmware(model)), Ok(()), "{model:?}");
+        uno.set_serial_line(Line::default());
+        common::to_run(&mut uno);
+        // By command, as at the end of an upload to a board in FAULT.
+        let after = talk(&mut uno, async |client| {
+            find(client, false).await.unwrap();
+            command(client, Command::Restart).await.unwrap();
+            await_start(client).await
+        });
+        assert_eq!(after.unwrap().state, Some(State::Run), "{model:?}");
+    }
+}
+
+/// Reads the board again and again, until it has begun once more.
+async fn watch(client: &mut Client) -> Diagnostics {
+    let before = Diagnostics::read(client).await.unwrap().restarts;
+    loop {
+        match Diagnostics::read(client).await {
+            Ok(told) if told.restarts != before => return told,
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn a_mega_that_is_watched_comes_back_after_its_reset_button() {
+    let mut uno = chip(Model::Mega, Slot::Card(common::card(FOLLOW)));
+    assert_eq!(flash(&mut uno, &firmware(Model::Mega)), Ok(()));
+    uno.set_serial_line(Line::default());
+    common::to_run(&mut uno);
+    let mut conversation =
+        Conversation::new(Default::default(), Patience::default(), async |client| {
+            find(client, false).await.unwrap();
+            watch(client).await
+        });
+    let pressed = now(&uno) + Duration::from_millis(500);
+    let mut is_pressed = false;
+    let mut came = Vec::new();
+    let told = loop {
+        let step = conversation.step(now(&uno), &came);
+        came.clear();
+        if !step.send.is_empty() {
+            uno.send_serial(&step.send);
+        }
+        let until = match step.next {
+            Next::Done(told) => break told,
+            Next::Wait(until) => until,
+        };
+        while came.is_empty() && now(&uno) < until {
+            uno.run_cycles(LOOK).unwrap();
+            came.extend(uno.take_serial_log().iter().map(|sent| sent.byte));
+            if !is_pressed && now(&uno) >= pressed {
+                is_pressed = true;
+                uno.reset();
+            }
+        }
+        assert!(now(&uno) < pressed + Duration::from_secs(15), "it waits on");
+    };
+    assert_eq!(told.state, Some(State::Run));
 }
 
 #[test]

@@ -48,7 +48,7 @@ fn what_is_missing_is_said() {
             &["serve", "--card", "no.img"],
             "the card image no.img cannot be read",
         ),
-        (&["serve", "no.txt", "--elf", "no.elf"], "no.txt"),
+        (&["serve", "no.txt", "--elf", "no.elf"], "no.elf"),
     ] {
         let command = env!("CARGO_BIN_EXE_unoclp-uno-sim");
         let output = Command::new(command).args(arguments).output().unwrap();
@@ -60,10 +60,10 @@ fn what_is_missing_is_said() {
 }
 
 /// What the firmware says until it is in RUN, served so; the input ends after that.
-fn served(arguments: &[&str]) -> String {
+fn served(firmware: &Path, arguments: &[&str]) -> String {
     let mut serve = Command::new(env!("CARGO_BIN_EXE_unoclp-uno-sim"))
         .args(["serve", "--reset", "--elf"])
-        .arg(firmware_file().unwrap())
+        .arg(firmware)
         .args(arguments)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
@@ -92,17 +92,24 @@ fn path(name: &str) -> String {
 #[test]
 fn instruction_list_is_compiled_and_the_eeprom_kept() {
     let (lamp, eeprom) = (path("served.il"), path("served.eep"));
-    std::fs::write(&lamp, "LD I1\nST Q1\n").unwrap();
-    let _ = std::fs::remove_file(&eeprom);
-    let said = served(&[&lamp, "--eeprom", &eeprom]);
-    assert!(said.contains("program: 3 codes"), "{said}");
-    let kept = std::fs::read(&eeprom).unwrap();
-    assert_eq!(kept.len(), 1024);
-    assert!(kept.iter().any(|&byte| byte != 0xFF));
-    // Without a program and without a card the board runs what it has kept.
-    let said = served(&["--eeprom", &eeprom]);
-    assert!(said.contains("RUN"), "{said}");
-    assert!(!said.contains("fault 65"), "{said}");
+    // The Mega as it is handed out, where its symbols say which board it is.
+    let mega = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../firmware/unoclp-mega.hex");
+    for (firmware, text, length) in [
+        (firmware_file().unwrap(), "LD I1\nST Q1\n", 1024),
+        (mega, "LD I24\nST Q16\n", 4096),
+    ] {
+        std::fs::write(&lamp, text).unwrap();
+        let _ = std::fs::remove_file(&eeprom);
+        let said = served(&firmware, &[&lamp, "--eeprom", &eeprom]);
+        assert!(said.contains("program: 3 codes"), "{said}");
+        let kept = std::fs::read(&eeprom).unwrap();
+        assert_eq!(kept.len(), length);
+        assert!(kept.iter().any(|&byte| byte != 0xFF));
+        // Without a program and without a card the board runs what it has kept.
+        let said = served(&firmware, &["--eeprom", &eeprom]);
+        assert!(said.contains("RUN"), "{said}");
+        assert!(!said.contains("fault 65"), "{said}");
+    }
 }
 
 #[test]

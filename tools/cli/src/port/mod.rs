@@ -19,7 +19,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 use unoclp_client::identity::Identity;
 use unoclp_client::start;
-use unoclp_client::{AT_A_LINE, Client, Conversation, Failure, Format, Line, Next, Patience};
+use unoclp_client::{Client, Conversation, Failure, Format, Known, Line, Next, Patience};
 use unoclp_core::Board;
 
 /// An open serial port.
@@ -27,8 +27,8 @@ pub struct Port {
     port: Box<dyn SerialPort>,
     line: Line,
     patience: Patience,
-    /// The board that has been met.
-    board: Board,
+    /// What its conversations have come to know.
+    known: Known,
     /// Where the time of its conversations begins.
     begun: Instant,
     /// How bytes are sent at present.
@@ -50,7 +50,7 @@ impl Port {
             port,
             line: place.line,
             patience,
-            board: AT_A_LINE,
+            known: Known::default(),
             begun,
             format: place.line.format(),
         };
@@ -59,7 +59,7 @@ impl Port {
 
     /// The board at the port, once it has said which it is.
     pub fn board(&self) -> Board {
-        self.board
+        self.known.board
     }
 
     /// Has a conversation with the board. That the port is gone is said to the conversation, which ends by it.
@@ -76,12 +76,12 @@ impl Port {
         mut attend: impl FnMut() -> ControlFlow<B>,
     ) -> ControlFlow<B, T> {
         let mut conversation = Conversation::new(self.line, self.patience, talk);
-        conversation.meet(self.board);
+        conversation.know(self.known);
         let mut came = Vec::new();
         loop {
             attend()?;
             let step = conversation.step(self.begun.elapsed(), &came);
-            self.board = conversation.board();
+            self.known = conversation.known();
             came.clear();
             let until = match step.next {
                 Next::Done(outcome) => return ControlFlow::Continue(outcome),

@@ -102,3 +102,38 @@ fn patience_for_a_start_bounds_the_wait_for_its_text() {
     assert!(found.is_ok());
     assert_eq!(wire.sent[0].0 - begun, 22 * MS);
 }
+
+/// A request that comes while the Mega's boot loader waits for its own language keeps it waiting.
+#[test]
+fn a_mega_that_does_not_answer_is_left_alone_until_its_boot_loader_gives_up() {
+    for (product, pause) in [("unoclp Mega", 6000), ("unoclp UNO", 150)] {
+        let mut requests = 0;
+        let identity = ["unoclp", product, "0.2.0"];
+        let board = Board {
+            identity,
+            ..Board::default()
+        };
+        let mut wire = Wire::with(board, move |_, _| {
+            requests += 1;
+            match requests {
+                2..5 => Fate::Lost,
+                _ => Fate::Answered,
+            }
+        });
+        let found = wire.talk(async |client| {
+            client.identify().await.unwrap();
+            assert_eq!(client.identify().await, Err(Failure::Silent));
+            client.identify().await
+        });
+        assert!(found.is_ok(), "{product}");
+        let [.., last, next] = &wire.sent[..] else {
+            panic!("{product}: {} requests", wire.sent.len());
+        };
+        let waited = next.0 - last.0;
+        let wanted = Duration::from_millis(pause);
+        assert!(
+            (wanted..wanted + 100 * MS).contains(&waited),
+            "{product}: {waited:?}"
+        );
+    }
+}

@@ -4,7 +4,6 @@
 use crate::exercises::{exercises, files, of_folders, program, says, stem, wrong};
 use std::fs;
 use std::path::{Path, PathBuf};
-use unoclp_core::Board;
 use unoclp_exercise::find::{Answer, Search};
 use unoclp_exercise::machine::{First, first_wrong, with_chances};
 use unoclp_exercise::mutants::passing;
