@@ -131,7 +131,7 @@ fn the_firmware_controls_machines_as_the_core_does() {
 #[test]
 fn the_firmware_controls_the_machines_of_the_exercises() {
     let plants = of_exercises();
-    assert_eq!(plants.len(), if BOARD == Board::UNO { 28 } else { 4 });
+    assert_eq!(plants.len(), if BOARD == Board::UNO { 28 } else { 5 });
     compare::<Uno>(&plants, 2500);
 }
 
