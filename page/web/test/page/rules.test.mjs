@@ -14,7 +14,7 @@ const MACHINES = readdirSync(plants).filter((name) => name.endsWith(".toml")).ma
 
 /** What a machine says of a program. @param {Awaited<ReturnType<typeof load>>} call @param {string} machine @param {string} program */
 function trial(call, machine, program) {
-  const { ok, error } = ask(call, { ask: "trial", of: { name: "p.st", text: file(program) }, plant: `${machine}.toml`, plantText: file(`${machine}.toml`) });
+  const { ok, error } = ask(call, { ask: "trial", of: { name: "p.st", text: file(program), board: /^board = "(.*)"$/m.exec(file(`${machine}.toml`))?.[1] ?? "uno" }, plant: `${machine}.toml`, plantText: file(`${machine}.toml`) });
   assert.ok(ok, `${program}: ${JSON.stringify(error)}`);
   return ok;
 }

@@ -19,7 +19,7 @@ test("each machine has the trace that it has natively", async () => {
   assert.equal(lines.length, 20);
   for (const line of lines) {
     const [name = "", trace] = line.split(" ");
-    const request = { ask: "trace", of: { name: `${name}.st`, text: file(`programs/plants/${name}.st`) }, plant: `${name}.toml`, plantText: file(`programs/plants/${name}.toml`), ms: SPAN };
+    const request = { ask: "trace", of: { name: `${name}.st`, text: file(`programs/plants/${name}.st`), board: /^board = "(.*)"$/m.exec(file(`programs/plants/${name}.toml`))?.[1] ?? "uno" }, plant: `${name}.toml`, plantText: file(`programs/plants/${name}.toml`), ms: SPAN };
     assert.equal(ask(module, request).ok, trace, name);
   }
 });
