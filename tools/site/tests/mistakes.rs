@@ -95,7 +95,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("colour = 1\n"),
             5,
-            "no key `colour` here; there is `address`, `unit`, `name`, `program`, `every`",
+            "no key `colour` here; there is `address`, `unit`, `name`, `kind`, `program`, `every`",
         ),
         (
             "\n[[line]]\nport = \"a\"\n[[line.board]]\n".into(),
