@@ -1,17 +1,18 @@
 //! `cargo xtask dist`: what is handed out, in `target/dist/`. `unoclp` for the machine that this runs on, with the page
 //! and the tested firmware inside; it and the page as archives, with the licences of all that they contain; and the page
-//! as a folder and as a single file, which a double click opens. On Debian it is a package too, with a service. A bill of materials and the sums of the files lie beside them.
+//! as a folder and as a single file, which a double click opens; the tested firmware as hex files; the extension of the
+//! editor. On Debian it is a package too, with a service. A bill of materials and the sums of the files lie beside them.
 
 use std::env::consts::{ARCH, EXE_SUFFIX, OS};
 use std::fs::{self, File};
 use std::io::{Seek, Write};
 use std::path::{Path, PathBuf};
-use std::process::Stdio;
+use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail, ensure};
 use serde_json::Value;
 use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, DateTime, ZipWriter};
+use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 
 use crate::notice::Parts;
 use crate::shell::{self, cargo, root, say};
@@ -25,8 +26,22 @@ const PAGE: &str = "target/lab/page";
 const SINGLE: &str = "unoclp.html";
 /// What it may weigh, bytes.
 const MOST: usize = 6_000_000;
+/// The page as an archive, for a server or a computer of a school.
+const ARCHIVE: &str = "unoclp-page.zip";
+/// Where it is unpacked to be proven.
+const UNPACKED: &str = "target/lab/unpacked";
+/// The firmware that was tested, for each board.
+const FIRMWARE: &str = "firmware";
 /// What goes with each copy.
 const PAPERS: [&str; 3] = ["LICENSE-APACHE", "LICENSE-MIT", "NOTICE"];
+
+/// The words after `cargo xtask dist`.
+#[derive(clap::Args)]
+pub struct Args {
+    /// Open the page that was made in Chromium: from the disk, without a network
+    #[arg(long)]
+    prove: bool,
+}
 
 /// A file of an archive.
 #[derive(Clone)]
@@ -40,7 +55,7 @@ struct Entry {
 ///
 /// # Errors
 /// If a step fails.
-pub fn run() -> Result<()> {
+pub fn run(args: &Args) -> Result<()> {
     lab::build()?;
     let page = page()?;
     say("unoclp with the page inside");
@@ -63,7 +78,7 @@ pub fn run() -> Result<()> {
     write(&for_this_machine, entries)?;
     let page = [papers, page].concat();
     lay_out(&folder.join("page"), &page)?;
-    let for_a_server = folder.join("unoclp-page.zip");
+    let for_a_server = folder.join(ARCHIVE);
     write(&for_a_server, page)?;
     let single = folder.join(SINGLE);
     let whole = fs::read_to_string(root().join(PAGE).join(SINGLE)).context("no single page")?;
@@ -88,6 +103,11 @@ pub fn run() -> Result<()> {
     let extension = folder.join("unoclp.vsix");
     fs::copy(vsix::make()?, &extension).context("cannot copy the extension")?;
     made.push(extension);
+    for hex in node::files(&root().join(FIRMWARE), ".hex")? {
+        let copy = folder.join(hex.file_name().unwrap_or_default());
+        fs::copy(&hex, &copy).with_context(|| format!("cannot copy {}", hex.display()))?;
+        made.push(copy);
+    }
     let name = format!("unoclp-{OS}-{ARCH}");
     let about = sbom::write(&parts, &made, &name, &folder)?;
     made.extend(about);
@@ -96,7 +116,26 @@ pub fn run() -> Result<()> {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         say(&format!("{FOLDER}/{name}: {} KB", size.div_ceil(1000)));
     }
-    Ok(())
+    match args.prove {
+        true => prove(&folder),
+        false => Ok(()),
+    }
+}
+
+/// Opens the unpacked archive and the single file in Chromium, as a student does who has no network.
+fn prove(folder: &Path) -> Result<()> {
+    say("the page from the disk, in Chromium");
+    let unpacked = root().join(UNPACKED);
+    if unpacked.exists() {
+        fs::remove_dir_all(&unpacked).with_context(|| format!("cannot empty {UNPACKED}"))?;
+    }
+    let file = File::open(folder.join(ARCHIVE)).context("no archive of the page")?;
+    ZipArchive::new(file)?.extract(&unpacked)?;
+    let mut node = Command::new("node");
+    node.args(["--test", "--test-force-exit", "test/page/disk.test.mjs"]);
+    node.env("PAGE_FOLDER", unpacked);
+    node.env("PAGE_FILE", folder.join(SINGLE));
+    shell::run(node.current_dir(node::folder()))
 }
 
 /// The files of the page. What only helps to look for errors in it is taken away.
@@ -213,7 +252,6 @@ fn archive(mut entries: Vec<Entry>, to: impl Write + Seek) -> Result<()> {
 mod tests {
     use super::*;
     use std::io::{Cursor, Read};
-    use zip::ZipArchive;
 
     fn made(names: &[&str]) -> Vec<u8> {
         let entry = |name: &&str| Entry {

@@ -31,7 +31,7 @@ enum Task {
     /// Build the page with the UNO in it, and serve it
     Lab(lab::Args),
     /// Build what is handed out into target/dist: `unoclp` with the page inside, and the page itself
-    Dist,
+    Dist(dist::Args),
     /// Name in NOTICE what the page and the programs contain of others
     Notice,
     /// Show circles of modules in each crate
@@ -71,7 +71,7 @@ fn main() -> ExitCode {
         Task::Card(args) => card::run(&args),
         Task::Flash(args) => flash::run(&args),
         Task::Lab(args) => lab::run(&args),
-        Task::Dist => dist::run(),
+        Task::Dist(args) => dist::run(&args),
         Task::Notice => notice::run(),
         Task::Modules => modules::run(),
         Task::Mutants(args) => mutants::run(&args),

@@ -81,12 +81,6 @@ impl<'m> Program<'m> {
         }
     }
 
-    /// All of the memory that it was loaded into: a board that links a program from elsewhere has use
-    /// for it.
-    pub fn into_memory(self) -> &'m mut [u8] {
-        self.memory
-    }
-
     /// The instructions in order.
     pub fn steps(&self) -> Steps<'_> {
         Steps::new(self.stored())

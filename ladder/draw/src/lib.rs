@@ -3,7 +3,7 @@
 //! The way of a program through this crate: `symbols` says what each instruction looks like; `build` makes a
 //! tree of each rung's elements; `fork` and `stores` arrange it, `energise` gives every wire its net; `wrap`
 //! breaks what is too wide; `layout` makes cells of it. Text, terminals and SVG all show those cells. `blocks` makes a
-//! block diagram of the same tree, for SVG.
+//! block diagram of the same tree, for SVG and in characters.
 //!
 //! Owns the ladder diagram of a program and its block diagram, their pictures, and the editor that draws one. Must not know files, terminals, texts.
 //!
@@ -66,11 +66,13 @@ pub use blocks::Look;
 pub use drawing::{Drawing, Picture};
 pub use element::{Element, Symbol};
 pub use ladder::{Ladder, Rung};
-pub use listing::{Title, listing};
+pub use listing::{Title, listing, listing_of_blocks};
 pub use pins::time;
 pub use power::{Net, Nets, Power};
 pub use style::{Medium, NARROWEST, Style};
-pub use svg_page::{Area, Paper, Report, to_blocks, to_report, to_screen, to_svg};
+pub use svg_page::{
+    Area, Paper, Report, to_blocks, to_picture, to_report, to_screen, to_svg, to_svg_of_blocks,
+};
 pub use words::picture;
 
 use std::collections::BTreeMap;

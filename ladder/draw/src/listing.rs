@@ -1,7 +1,7 @@
 //! A drawing as a listing: each rung with its number, its lines in the file, and what it is about.
 
 use crate::words::picture;
-use crate::{Drawing, Ladder, Names};
+use crate::{Drawing, Ladder, Names, blocks};
 use unicode_width::UnicodeWidthStr;
 use unoclp_checked::SourceMap;
 use unoclp_point::Address;
@@ -11,12 +11,38 @@ pub type Title<'t> = &'t dyn Fn(usize, Option<(usize, usize)>) -> String;
 
 /// The listing of a drawing, for text: what the program is about, then its rungs under their titles.
 pub fn listing(drawing: &Drawing<'_>, map: &SourceMap, names: &Names, title: Title<'_>) -> String {
+    let rungs = drawing.rungs.iter().map(ToString::to_string);
+    listed(drawing.headed(), map, names, title, rungs)
+}
+
+/// The same as block diagrams; titles take so many columns.
+pub fn listing_of_blocks(
+    ladder: &Ladder,
+    columns: usize,
+    map: &SourceMap,
+    names: &Names,
+    title: Title<'_>,
+) -> String {
+    let rungs = ladder.rungs.iter().map(|rung| {
+        let lines = blocks::picture(ladder, rung, names).into_iter();
+        lines.map(|line| line + "\n").collect()
+    });
+    listed((ladder, columns), map, names, title, rungs)
+}
+
+fn listed(
+    (ladder, limit): (&Ladder, usize),
+    map: &SourceMap,
+    names: &Names,
+    title: Title<'_>,
+    rungs: impl ExactSizeIterator<Item = String>,
+) -> String {
     let mut text = String::new();
     for line in &map.title {
         // A line that fits stays as it is: it may be part of a table.
-        let lines = match line.width() <= drawing.limit {
+        let lines = match line.width() <= limit {
             true => vec![line.clone()],
-            false => wrapped(line, drawing.limit),
+            false => wrapped(line, limit),
         };
         for line in lines {
             text += &format!("{line}\n");
@@ -25,12 +51,13 @@ pub fn listing(drawing: &Drawing<'_>, map: &SourceMap, names: &Names, title: Tit
     if !map.title.is_empty() {
         text.push('\n');
     }
-    for (index, picture) in drawing.rungs.iter().enumerate() {
-        for line in heading(drawing.headed(), map, names, title, index) {
+    let count = rungs.len();
+    for (index, picture) in rungs.enumerate() {
+        for line in heading((ladder, limit), map, names, title, index) {
             text += &format!("{line}\n");
         }
-        text += &picture.to_string();
-        if index + 1 < drawing.rungs.len() {
+        text += &picture;
+        if index + 1 < count {
             text.push('\n');
         }
     }

@@ -10,8 +10,6 @@ use std::ops::Range;
 /// What is changed of a variable.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// Its name, here alone: who uses it says another.
-    Name(String),
     /// Its type.
     Kind(String),
     /// What it begins with; none: what its type does.
@@ -58,7 +56,6 @@ pub(crate) fn is_named(node: Node<'_, '_>, name: &str) -> bool {
 /// Which bytes become which.
 fn edit(text: &str, node: Node<'_, '_>, change: &Change) -> Option<(Range<usize>, String)> {
     match change {
-        Change::Name(name) => attribute(text, node, "name", Some(name)),
         Change::Place(place) => attribute(text, node, "address", place.as_deref()),
         Change::Kind(kind) => {
             let kind = kind_written(kind);

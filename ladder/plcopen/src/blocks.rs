@@ -1,11 +1,11 @@
 //! What blocks become where power flows through them.
 
-use crate::circuit::{Circuit, Item, Leaf, Part, followed};
+use crate::circuit::{Circuit, Item, Leaf, Part, followed, together};
 use crate::flow::Flow;
 use crate::pins::is_numbered;
 use crate::symbol::{Meaning, Symbol};
 use crate::ways::Ways;
-use unoclp_core::isa::Opcode;
+use unoclp_core::isa::{Class, Opcode};
 use unoclp_draw::edit::{Gate, Step};
 use unoclp_lang::Code;
 
@@ -36,21 +36,22 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
                 _ => {
                     let circuit = self.enabled(at)?;
                     let parts = self.comparison(at, &name)?;
-                    followed(circuit, Leaf::of((at, 500), parts))
+                    followed(circuit, self.computed_once(Leaf::of((at, 500), parts)))
                 }
             },
             "MOVE" | "ADD" | "SUB" | "MUL" | "DIV" | "MOD" | "SHL" | "SHR" if output == "ENO" => {
                 let circuit = self.enabled(at)?;
                 match self.stores(at)? {
                     parts if parts.is_empty() => circuit,
-                    parts => followed(circuit, Leaf::of((at, 500), parts)),
+                    parts => followed(circuit, self.computed_once(Leaf::of((at, 500), parts))),
                 }
             }
             "AND" | "OR" | "XOR" if output != "ENO" => self.gate(at, &name)?,
             "NOT" if output != "ENO" => {
                 self.unconditional(at)?;
                 let circuit = self.power(at, "IN")?;
-                followed(circuit, Leaf::plain((at, 0), Step::new(Opcode::Not)))
+                let leaf = Leaf::plain((at, 0), Step::new(Opcode::Not));
+                followed(circuit, self.computed_once(leaf))
             }
             "MOVE" | "ADD" | "SUB" | "MUL" | "DIV" | "MOD" | "SHL" | "SHR" => {
                 self.wants(at, &name, "INT", "BOOL");
@@ -139,12 +140,16 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
             "OR" => Gate::Or,
             _ => Gate::Xor,
         };
+        if self.network.is_blocks && gate != Gate::Xor {
+            return self.gate_of_blocks(at, gate);
+        }
         let mut circuit = self.power(at, "IN1")?;
         for input in self.numbered(at).into_iter().skip(1) {
             if gate == Gate::Xor
                 && let Some(step) = self.exclusive(at, &input)
             {
-                circuit.push(Item::Leaf(Leaf::plain((at, 20 + circuit.len()), step)));
+                let leaf = Leaf::plain((at, 20 + circuit.len()), step);
+                circuit.push(Item::Leaf(self.computed_once(leaf)));
                 continue;
             }
             let other = self.power(at, &input)?;
@@ -152,6 +157,55 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
             circuit.push(Item::Gate((at, part), gate, other));
         }
         Some(circuit)
+    }
+
+    /// AND and OR of a block diagram: in series and in parallel. A variable right at an input is read when the gate is
+    /// computed, which is once.
+    fn gate_of_blocks(&mut self, at: usize, gate: Gate) -> Option<Circuit> {
+        let mut ways: Vec<Circuit> = Vec::new();
+        for (index, input) in self.numbered(at).into_iter().enumerate() {
+            let Some((variable, negated)) = self.variable(at, &input) else {
+                let way = self.power(at, &input)?;
+                match ways.first_mut() {
+                    Some(circuit) if gate == Gate::And && is_contact(&way) => circuit.extend(way),
+                    Some(circuit) if gate == Gate::And && !way.is_empty() => {
+                        circuit.push(Item::Gate((at, 20 + index), gate, way));
+                    }
+                    Some(_) if gate == Gate::And => {}
+                    _ => ways.push(way),
+                }
+                continue;
+            };
+            let part = self.looked_at(variable, negated)?;
+            let leaf = part.map(|part| Item::Leaf(Leaf::of((at, 20 + index), vec![part]).once()));
+            match ways.first_mut() {
+                Some(circuit) if gate == Gate::And => circuit.extend(leaf),
+                _ => ways.push(leaf.into_iter().collect()),
+            }
+        }
+        Some(match ways.len() {
+            0 | 1 => ways.pop().unwrap_or_default(),
+            _ => together(ways),
+        })
+    }
+
+    /// The variable right at an input, and whether it is negated there.
+    fn variable(&self, at: usize, input: &str) -> Option<(usize, bool)> {
+        let pin = self.network.elements[at].input(input)?;
+        let &[wire] = &pin.wires[..] else {
+            return None;
+        };
+        let from = &self.network.elements[wire.from];
+        let is_plain = from.kind == "inVariable" && pin.edge.is_empty();
+        is_plain.then(|| (wire.from, pin.negated != from.negated()))
+    }
+
+    /// What a block of a block diagram computes is computed once, however many ask for it.
+    fn computed_once(&self, leaf: Leaf) -> Leaf {
+        match self.network.is_blocks {
+            true => leaf.once(),
+            false => leaf,
+        }
     }
 
     /// The exclusive OR with a point that is written right at the input.
@@ -177,5 +231,18 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         let pins = self.network.elements[at].inputs.iter();
         let names = pins.map(|pin| pin.name.to_uppercase());
         names.filter(|name| is_numbered(name)).collect()
+    }
+}
+
+/// Whether a way is a contact of what a block remembers.
+fn is_contact(way: &Circuit) -> bool {
+    match &way[..] {
+        [Item::Leaf(leaf)] => {
+            let mut parts = leaf.parts.iter();
+            let is_contact =
+                |part: &Part| matches!(part.step.class(), Class::Contact | Class::Condition);
+            !leaf.is_once && parts.all(is_contact)
+        }
+        _ => false,
     }
 }

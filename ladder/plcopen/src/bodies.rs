@@ -5,8 +5,10 @@ use crate::edges::{content, removed, spliced};
 use crate::export::{chart_body, escaped};
 use crate::found::Found;
 use crate::project::Project;
+use crate::text::Text;
 use crate::xml::{self, all, first, within};
 use roxmltree::Node;
+use std::ops::Range;
 use unoclp_sfc::Document;
 
 /// What is changed of an element of a drawing.
@@ -44,16 +46,41 @@ pub fn write_body(text: &str, unit: &str, new: &str) -> Option<String> {
     Some(spliced(text, vec![piece]))
 }
 
+/// The charts of a project.
+#[derive(Default)]
+pub struct Charts {
+    /// One for each unit that is one.
+    pub documents: Vec<Document>,
+    text: Text,
+}
+
+impl Charts {
+    /// Those of a project, as far as its bodies can be read.
+    pub fn of(text: &str) -> Charts {
+        let mut found = Found::default();
+        let Some(tree) = xml::parse(text, &mut found) else {
+            return Charts::default();
+        };
+        let Some(project) = Project::read(tree.root_element(), &mut found) else {
+            return Charts::default();
+        };
+        let text = crate::body::as_text(text, &project, &mut found);
+        Charts {
+            documents: Document::all(&text.text),
+            text,
+        }
+    }
+
+    /// What of the file has become a part of a chart, by the place that [`Document::places`] says.
+    pub fn in_file(&self, place: Range<usize>) -> Vec<Range<usize>> {
+        let spans = self.text.spans(place).into_iter();
+        spans.map(|span| span.range()).collect()
+    }
+}
+
 /// The charts of a project, one for each unit that is one, as far as its bodies can be read.
 pub fn charts(text: &str) -> Vec<Document> {
-    let mut found = Found::default();
-    let Some(tree) = xml::parse(text, &mut found) else {
-        return Vec::new();
-    };
-    let Some(project) = Project::read(tree.root_element(), &mut found) else {
-        return Vec::new();
-    };
-    Document::all(&crate::body::as_text(text, &project, &mut found))
+    Charts::of(text).documents
 }
 
 /// What a chart has beside its text: it could not say it again.

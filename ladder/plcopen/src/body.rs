@@ -45,8 +45,8 @@ pub(crate) fn compile(
 }
 
 /// The text of a project in Structured Text, as far as its bodies can be read.
-pub(crate) fn as_text(xml: &str, project: &Project<'_, '_>, found: &mut Found) -> String {
-    write(xml, project, TextLanguage::St, found).0.text
+pub(crate) fn as_text(xml: &str, project: &Project<'_, '_>, found: &mut Found) -> Text {
+    write(xml, project, TextLanguage::St, found).0
 }
 
 /// The text of a project, and the language that it is in. Functions and blocks that are drawn, or in a language that is not

@@ -15,30 +15,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// The circuit with the contact of this element.
     pub(crate) fn contact(&mut self, at: usize, mut circuit: Circuit) -> Option<Circuit> {
         let element = &self.network.elements[at];
-        let written = &element.written;
-        let meaning = self.meaning(at, written)?;
-        let negated = says(element.node, "negated");
-        let zero = match negated {
-            true => Opcode::ZeroContactNot,
-            false => Opcode::ZeroContact,
-        };
-        let part = match meaning {
-            Meaning::Truth(truth) => never(truth == negated),
-            Meaning::Symbol(Symbol::Constant(number)) => never((number != 0) == negated),
-            Meaning::Symbol(
-                Symbol::At(Address::AtZero(counter)) | Symbol::Counter(counter, Counts::Down),
-            ) => Some(Step::new(zero).with_number(counter).into()),
-            Meaning::Symbol(symbol) => {
-                let draft =
-                    point(symbol).and_then(|point| Draft::contact(Some(point), negated).ok());
-                let Some(draft) = draft else {
-                    self.wants(at, written, "INT", "BOOL");
-                    return None;
-                };
-                Some(draft.step.into())
-            }
-        };
-        let Some(part) = part else {
+        let Some(part) = self.looked_at(at, says(element.node, "negated"))? else {
             return Some(circuit);
         };
         let contact = Leaf::of((at, 0), vec![part]);
@@ -56,6 +33,32 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
             }
         }
         Some(circuit)
+    }
+
+    /// What a contact of what is written at this element looks at; nothing where it is always closed.
+    pub(crate) fn looked_at(&mut self, at: usize, negated: bool) -> Option<Option<Part>> {
+        let written = &self.network.elements[at].written;
+        let meaning = self.meaning(at, written)?;
+        let zero = match negated {
+            true => Opcode::ZeroContactNot,
+            false => Opcode::ZeroContact,
+        };
+        Some(match meaning {
+            Meaning::Truth(truth) => never(truth == negated),
+            Meaning::Symbol(Symbol::Constant(number)) => never((number != 0) == negated),
+            Meaning::Symbol(
+                Symbol::At(Address::AtZero(counter)) | Symbol::Counter(counter, Counts::Down),
+            ) => Some(Step::new(zero).with_number(counter).into()),
+            Meaning::Symbol(symbol) => {
+                let draft =
+                    point(symbol).and_then(|point| Draft::contact(Some(point), negated).ok());
+                let Some(draft) = draft else {
+                    self.wants(at, written, "INT", "BOOL");
+                    return None;
+                };
+                Some(draft.step.into())
+            }
+        })
     }
 
     /// The circuit with a coil of what is written at this element, after an edge.

@@ -54,6 +54,11 @@ impl Effects {
         self.reads.len() + self.writes.len()
     }
 
+    /// Whether the other reads what this one writes.
+    pub(crate) fn feeds(&self, other: &Effects) -> bool {
+        self.writes.iter().any(|point| other.reads.contains(point))
+    }
+
     /// Whether it matters which of both comes first.
     pub(crate) fn meet(&self, other: &Effects) -> bool {
         let written = |point| other.writes.contains(point);

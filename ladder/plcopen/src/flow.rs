@@ -116,6 +116,11 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
         let index = network.elements[element].inputs.iter();
         let index = index.take_while(|other| other.name != pin.name).count();
         if let Some(opcode) = edge_of(pin.edge) {
+            if network.is_blocks {
+                // There an edge is one of what has been negated.
+                self.tell(Code::XmlTangle, element, []);
+                return None;
+            }
             let leaf = Leaf::plain((element, 100 + index), Step::new(opcode));
             circuit.push(Item::Leaf(leaf.once()));
         }

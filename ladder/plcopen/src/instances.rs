@@ -171,6 +171,10 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         {
             return Some(*constant);
         }
+        if self.network.is_blocks {
+            self.tell(Code::XmlTangle, at, []);
+            return None;
+        }
         let mut parts: Vec<Part> = value.into_iter().map(Part::from).collect();
         parts.push(by.into());
         let circuit = vec![Item::Leaf(Leaf::of((at, 400), parts))];

@@ -14,6 +14,7 @@
 //! - `outputs`: the circuits of a network; `effects`: which of them may change places; `anew`: contacts that each output reads for itself; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
 //! - `outline`: its units and their variables, as a tree; `alter`, `rows`: one of these changed in the file, put into it, taken away
 //! - `shown`: the body of a unit as its file lays it out; `bodies`: changed in the file; `edges`: bytes of it, and no others
+//! - `grown`: elements that come and go there; `signature`: the pins of a new block
 //! - `whole`: all of it as one text, for who looks for a name
 //! - `adapt`: points that another PLC has, on this board; `comments`: texts without them
 //! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces are in the file; `types`: types
@@ -44,6 +45,7 @@ mod effects;
 mod export;
 mod flow;
 mod found;
+mod grown;
 mod imported;
 mod instances;
 mod network;
@@ -59,6 +61,7 @@ mod rungs;
 mod scope;
 mod sfc;
 mod shown;
+mod signature;
 mod st;
 mod symbol;
 mod text;
@@ -71,8 +74,9 @@ mod xml;
 
 pub use adapt::adapt;
 pub use alter::{Change, alter};
-pub use bodies::{Touch, charts, touch, write_body, write_chart};
-pub use export::{Exported, Lost, export, export_text};
+pub use bodies::{Charts, Touch, charts, touch, write_body, write_chart};
+pub use export::{Exported, Lost, export, export_blocks, export_text};
+pub use grown::{Where, draw, erase};
 pub use imported::Imported;
 pub use outline::{Outline, Row, Unit, outline};
 pub use program::import;

@@ -206,6 +206,23 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
         self.rungs.get(element).copied().flatten().unwrap_or(0)
     }
 
+    /// The first element that takes what a block gives beyond a label, a jump or a return.
+    pub(crate) fn crossing(&self) -> Option<usize> {
+        let parts =
+            |element: &&Element<'_, '_>| matches!(element.kind, "label" | "jump" | "return");
+        let heights = self.elements.iter().filter(parts).map(|e| e.place.0);
+        let mut heights: Vec<i64> = heights.collect();
+        heights.sort_unstable();
+        let part = |at: usize| heights.partition_point(|h| *h < self.elements[at].place.0);
+        (0..self.elements.len()).find(|&at| {
+            let mut wires = self.elements[at].inputs.iter().flat_map(|pin| &pin.wires);
+            wires.any(|wire| {
+                let is_value = self.elements[wire.from].kind == "inVariable";
+                !is_value && part(wire.from) != part(at)
+            })
+        })
+    }
+
     /// Whether power ends at an element that drives nothing: a right rail, or a connector that nothing continues.
     pub(crate) fn is_end(&self, at: usize) -> bool {
         match self.elements[at].kind {

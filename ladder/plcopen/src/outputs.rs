@@ -145,7 +145,10 @@ impl Made {
                 return None;
             }
             let behind = self.jump.filter(|_| at == self.since);
-            if join(&mut self.circuits[at], circuit, sink, behind) {
+            // Outputs within the other circuit come before the rest of it.
+            let before = &self.effects[at];
+            let may = [!before.feeds(&own), !own.feeds(before)];
+            if join((&mut self.circuits[at], circuit), may, sink, behind) {
                 self.effects[at].extend(own);
                 return Some(at);
             }
@@ -163,15 +166,21 @@ fn effects(circuit: &Circuit, flow: &Flow<'_, '_, '_>) -> Effects {
     Effects::of(circuit, |at| flow.all.timers.get(&(flow.pou, at)).copied())
 }
 
-/// Makes one of two circuits that begin alike, where the output comes after this jump; else it leaves both as they are.
-fn join(into: &mut Circuit, circuit: &mut Circuit, sink: usize, jump: Option<usize>) -> bool {
+/// Makes one of two circuits that begin alike, where the output comes after this jump; else it leaves both as they are. `may`:
+/// whether the outputs of the first may be within the second, and those of the second within the first.
+fn join(
+    (into, circuit): (&mut Circuit, &mut Circuit),
+    may: [bool; 2],
+    sink: usize,
+    jump: Option<usize>,
+) -> bool {
     let before = jump.map(|jump| (jump, into.clone(), circuit.clone()));
     let mut joined = below(into, circuit);
-    if !joined && within(circuit, into) {
+    if !joined && may[0] && within(circuit, into) {
         std::mem::swap(into, circuit);
         joined = true;
     }
-    joined = joined || within(into, circuit);
+    joined = joined || may[1] && within(into, circuit);
     let Some((jump, old, own)) = before else {
         return joined;
     };
@@ -238,7 +247,9 @@ pub(crate) fn sinks(
     sinks.sort_by_cached_key(|&at| {
         let part = parting.partition_point(|parting| *parting < network.turn(at));
         let order = order(network, at).unwrap_or(u32::MAX);
-        (part, parts(&at), order, network.turn(at))
+        // In a block diagram those come last that nothing has asked for.
+        let is_last = network.is_blocks && network.elements[at].kind == "block";
+        (part, parts(&at), order, is_last, network.turn(at))
     });
     sinks
 }

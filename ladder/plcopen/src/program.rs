@@ -11,7 +11,7 @@ use crate::network::Network;
 use crate::outputs::circuits;
 use crate::pins;
 use crate::points::Points;
-use crate::project::{Pou, Project};
+use crate::project::{Pou, Project, Variable};
 use crate::rungs::Rungs;
 use crate::scope::Scope;
 use crate::ways::Ways;
@@ -41,6 +41,9 @@ pub fn import(text: &str, board: Board) -> Imported {
         match way(&project, &mut found) {
             Some(Way::Ladder) => {
                 found = drawn(text, &project, board, found, &mut imported);
+            }
+            Some(Way::Blocks) => {
+                found = blocks(text, &project, board, found, &mut imported);
             }
             Some(Way::Text(language)) => {
                 body::compile(text, &project, language, board, &mut found, &mut imported);
@@ -100,6 +103,24 @@ fn drawn(
     as_text
 }
 
+/// What becomes of block diagrams: a document where each says what a ladder can, otherwise Structured Text.
+fn blocks(
+    text: &str,
+    project: &Project<'_, '_>,
+    board: Board,
+    before: Found,
+    imported: &mut Imported,
+) -> Found {
+    let mut found = before.clone();
+    ladder(text, project, board, &mut found, imported);
+    if !found.has_errors() {
+        return found;
+    }
+    found = before;
+    body::compile(text, project, TextLanguage::St, board, &mut found, imported);
+    found
+}
+
 /// What a document refuses and a text may take.
 const AS_TEXT: [Code; 8] = [
     Code::XmlLoop,
@@ -129,6 +150,8 @@ fn touches_points(program: &Checked) -> bool {
 enum Way {
     /// As a document of the ladder editor.
     Ladder,
+    /// The same, of block diagrams.
+    Blocks,
     /// As a text.
     Text(TextLanguage),
 }
@@ -157,8 +180,37 @@ fn way(project: &Project<'_, '_>, found: &mut Found) -> Option<Way> {
     Some(match () {
         () if are_all("IL") => Way::Text(TextLanguage::Il),
         () if are_all("LD") && !languages.iter().any(|(_, pou)| has_others(pou)) => Way::Ladder,
+        () if are_all("FBD") && is_ladder(project) => Way::Blocks,
         () => Way::Text(TextLanguage::St),
     })
+}
+
+/// Whether block diagrams may be a ladder: they have its blocks, run from top to bottom, and hold no number that is cut to
+/// its type where it is stored.
+fn is_ladder(project: &Project<'_, '_>) -> bool {
+    let of_pous = project.programs.iter().flat_map(|pou| &pou.variables);
+    let mut variables = of_pous.chain(&project.globals);
+    let is_uncut = |variable: &Variable| match &*variable.kind.to_uppercase() {
+        "INT" => variable.address.as_ref().is_some_and(|address| {
+            let address = address.trim_start_matches('%');
+            address.starts_with(['I', 'i'])
+        }),
+        "SINT" | "USINT" | "UINT" | "BYTE" | "WORD" | "TIME" => false,
+        _ => is_of_ladder(variable),
+    };
+    let is_ordered = |pou: &Pou<'_, '_>| {
+        let order = |of: roxmltree::Node<'_, '_>| {
+            let order = of.attribute("executionOrderId");
+            order.is_some_and(|order| order.parse::<u32>().is_ok_and(|order| order > 0))
+        };
+        let body = pou.body.map(|(_, body)| body);
+        body.is_some_and(|body| body.children().any(order))
+    };
+    variables.all(is_uncut)
+        && !project
+            .programs
+            .iter()
+            .any(|pou| is_ordered(pou) || has_others(pou))
 }
 
 /// Whether a ladder has blocks that no document has.
@@ -198,7 +250,12 @@ fn ladder(
             found.tell(Code::XmlTooLarge, pou.node, [(en, pt).into()]);
             return;
         }
-        networks.push(Network::read(&pou.name, body, found));
+        let network = Network::read(&pou.name, body, found);
+        if let Some(at) = network.is_blocks.then(|| network.crossing()).flatten() {
+            // A jump would leave out a block that something behind its label asks for.
+            network.tell(found, Code::XmlTangle, at, []);
+        }
+        networks.push(network);
     }
     for element in networks.iter().flat_map(|network| &network.elements) {
         points.take(&element.written);

@@ -33,9 +33,10 @@ impl Rungs {
         let top = |circuit: &Circuit| {
             let mut top = i64::MAX;
             leaves(circuit, &mut |leaf| {
-                if let Some(element) = network.elements.get(leaf.key.0) {
-                    top = top.min(element.place.0);
-                }
+                let element = network.elements.get(leaf.key.0);
+                // A value may stand far from where it is used.
+                let element = element.filter(|e| !(network.is_blocks && e.kind == "inVariable"));
+                top = element.map_or(top, |element| top.min(element.place.0));
             });
             top
         };

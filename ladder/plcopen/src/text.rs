@@ -147,6 +147,29 @@ impl Text {
         }
     }
 
+    /// What of the XML has become this part of the text, piece by piece.
+    pub(crate) fn spans(&self, own: Range<usize>) -> Vec<Span> {
+        let begun = |byte: usize| {
+            let byte = byte as u32;
+            self.pieces.partition_point(|(first, ..)| *first <= byte)
+        };
+        let from = begun(own.start).saturating_sub(1);
+        let to = begun(own.end.saturating_sub(1)).max(from);
+        let pieces = self.pieces.get(from..to).unwrap_or_default();
+        let spans = pieces.iter().map(|(first, from, is_alike)| {
+            let before = (own.start as u32).saturating_sub(*first);
+            let after = (own.end as u32).saturating_sub(*first);
+            match is_alike {
+                true => Span {
+                    start: (from.start + before).min(from.end),
+                    end: (from.start + after).min(from.end),
+                },
+                false => *from,
+            }
+        });
+        spans.filter(|span| span.start < span.end).collect()
+    }
+
     /// The byte of this line and column of the text.
     fn byte(&self, own: &Lines, line: usize, column: usize) -> u32 {
         let start = own.start(line as u32);

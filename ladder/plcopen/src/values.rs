@@ -89,6 +89,11 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
 
     /// The instructions that compute what a block gives to another.
     fn computed(&mut self, at: usize, by: usize) -> Option<Vec<Step>> {
+        if self.network.is_blocks && self.network.readers[at].len() > 1 {
+            // It would be computed again.
+            self.tell(Code::XmlTangle, at, []);
+            return None;
+        }
         self.descend(at)?;
         let steps = self.operation(at, Some(by));
         self.ascend();

@@ -2,7 +2,8 @@
 //! is written or drawn in. Each name of the text knows its place in the file.
 //!
 //! The text is read by its words, and never compiled: a contact is its variable and a semicolon, a pin the member of an
-//! instance. So a project with mistakes has one too.
+//! instance. So a project with mistakes has one too. A name that a drawing or a task gives to a unit is said to do so, since
+//! a variable may have the same.
 
 use crate::found::Found;
 use crate::project::lists;
@@ -17,6 +18,8 @@ pub struct Whole {
     text: Text,
     /// What of the text stands in the file as it is: where there, and where here; in the order of the file.
     copied: Vec<(Span, u32)>,
+    units: Vec<u32>,
+    programs: Vec<u32>,
 }
 
 impl Whole {
@@ -30,13 +33,35 @@ impl Whole {
         let mut writer = Writer {
             xml,
             to: Text::default(),
+            units: Vec::new(),
+            programs: Vec::new(),
         };
         writer.project(root);
-        let mut text = writer.to;
+        let Writer {
+            to: mut text,
+            units,
+            programs,
+            ..
+        } = writer;
         text.unqualified(&lists(root));
         let mut copied = text.copied();
         copied.sort_by_key(|(span, _)| span.start);
-        Some(Whole { text, copied })
+        Some(Whole {
+            text,
+            copied,
+            units,
+            programs,
+        })
+    }
+
+    /// Where a name of the text stands for a function or a block that is drawn, by its first byte.
+    pub fn units(&self) -> &[u32] {
+        &self.units
+    }
+
+    /// Where a name of the text stands for a program that a task runs, by its first byte.
+    pub fn programs(&self) -> &[u32] {
+        &self.programs
     }
 
     /// The text.
@@ -62,6 +87,8 @@ impl Whole {
 struct Writer<'t> {
     xml: &'t str,
     to: Text,
+    units: Vec<u32>,
+    programs: Vec<u32>,
 }
 
 impl Writer<'_> {
@@ -82,6 +109,7 @@ impl Writer<'_> {
             // In CODESYS a program has one instance, and both have one name.
             let typed = instance.attribute("typeName").unwrap_or_default();
             let name = if typed.is_empty() { "name" } else { "typeName" };
+            self.programs.push(self.here());
             self.said(instance, name);
         }
         within(root, "task").for_each(|task| self.said(task, "single"));
@@ -241,6 +269,7 @@ impl Writer<'_> {
                 }
             },
             "block" => {
+                self.units.push(self.here());
                 self.said(of, "typeName");
                 self.said(of, "instanceName");
             }
@@ -270,6 +299,7 @@ impl Writer<'_> {
                 self.said(named, "formalParameter");
             }
             (None, Some(function)) => {
+                self.units.push(self.here());
                 self.add(&format!("{function}("));
                 self.attribute(named, "formalParameter");
                 self.add(" := 0);\n");
@@ -284,6 +314,11 @@ impl Writer<'_> {
             self.attribute(of, name);
             self.add(";\n");
         }
+    }
+
+    /// The byte at which the next name will stand.
+    fn here(&self) -> u32 {
+        self.to.text.len() as u32
     }
 
     fn add(&mut self, text: &str) {

@@ -85,7 +85,7 @@ pub struct Sheet {
     pub columns: usize,
     /// Its rows.
     pub rows: usize,
-    /// What stands on it, from top to bottom along the lines.
+    /// What is on it, from top to bottom along the lines.
     pub items: Vec<Item>,
     pub(crate) lines: Vec<Line>,
 }

@@ -1,8 +1,7 @@
 //! A chart as an SVG.
 //!
-//! What stands on it has the class of its kind and a `data-id`; what is live has another class beside it, so that a page
-//! that draws once changes only classes and short texts: `active` of steps, `ready` of transitions that their conditions
-//! alone keep from firing.
+//! Each part has the class of its kind and a `data-id`. A live part has a second class: `active` of a step, `ready` of a
+//! transition that only its condition keeps from firing. So a page draws once, and changes only classes and short texts.
 
 use crate::document::Document;
 use crate::live::{Live, seconds};

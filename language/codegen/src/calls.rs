@@ -73,10 +73,6 @@ impl Inliner<'_, '_> {
         let loops = std::mem::take(&mut self.loops);
         for target in pure::targets(unit) {
             let label = self.label();
-            let wished = unit.labels.iter().find(|(at, _)| *at == target);
-            if let Some((_, number)) = wished {
-                self.flat.wished.insert(label, *number);
-            }
             frame.targets.insert(target, label);
         }
         let count = unit.body.len() as u32;

@@ -323,7 +323,7 @@ fn kept(coder: &Coder<'_, '_>, tree: &Tree, names: &HashMap<u32, (String, Span)>
     kept
 }
 
-/// The number of each label that stands in the program: the one that is asked for, or one that is free.
+/// The number of each label of the program.
 fn number_labels(coder: &Coder<'_, '_>, board: Board, found: &mut Found) -> HashMap<u32, u8> {
     let mut numbers = HashMap::new();
     // Labels that the text writes as codes keep their numbers.
@@ -335,31 +335,14 @@ fn number_labels(coder: &Coder<'_, '_>, board: Board, found: &mut Found) -> Hash
             Written::Code(code) => unoclp_tree::codes::label(code),
             _ => None,
         });
-    let mut used: HashSet<u8> = written.collect();
-    let standing = || {
-        coder
-            .pen
-            .lines
-            .iter()
-            .filter_map(|line| match line.written {
-                Written::Label(label) => Some((label, line.at)),
-                _ => None,
-            })
-    };
-    for (label, _) in standing() {
-        let wished = coder.flat.wished.get(&label).copied();
-        let wished = wished.filter(|number| (1..=board.labels).contains(number));
-        if let Some(number) = wished
-            && used.insert(number)
-        {
-            numbers.insert(label, number);
-        }
-    }
+    let used: HashSet<u8> = written.collect();
     let mut free = (1..=board.labels).filter(|number| !used.contains(number));
-    for (label, at) in standing() {
-        if numbers.contains_key(&label) {
-            continue;
-        }
+    let lines = coder.pen.lines.iter();
+    let of_the_tree = lines.filter_map(|line| match line.written {
+        Written::Label(label) => Some((label, line.at)),
+        _ => None,
+    });
+    for (label, at) in of_the_tree {
         let Some(number) = free.next() else {
             let most = board.labels.to_string();
             found.tell(Code::BoardLabels, at, [most.into()]);

@@ -3,7 +3,7 @@
 //! Owns its statements, whose places are all counted from the program's first cell, and a walk over them. Must not
 //! know registers, markers and instructions.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use unoclp_text::diagnostics::Span;
 use unoclp_tree::{
     Base, Binary, Cell, Compare, Expr, ExprKind, Order, Place, Root, Standard, Store, TypeId,
@@ -21,8 +21,6 @@ pub(super) struct Flat {
     pub body: Vec<Step>,
     /// How many labels there are.
     pub labels: u32,
-    /// The numbers that labels are to have, where they are free.
-    pub wished: HashMap<u32, u8>,
     /// The labels where the program ends, which RETURN leads to.
     pub leaves: HashSet<u32>,
     pub loops: Vec<Turns>,

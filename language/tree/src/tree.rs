@@ -130,8 +130,6 @@ pub struct Unit {
     pub references: u32,
     /// What it does.
     pub body: Vec<Stmt>,
-    /// Statements of its body, and the number that the label of each is to have on the board where that is free.
-    pub labels: Vec<(u32, u8)>,
     /// Its name; of a unit that does not stand in the text, the empty span.
     pub at: Span,
 }

@@ -6,9 +6,10 @@ use crate::answer::answer;
 use crate::given::wrong;
 use crate::tell::Units;
 use crate::words::{No, both};
+use std::collections::HashMap;
 use std::ops::Range;
 use unoclp_exercise::live::Charts;
-use unoclp_plcopen::{charts, is_project, write_chart};
+use unoclp_plcopen::{Charts as InProject, is_project, write_chart};
 use unoclp_program::{Lang, list::Look};
 use unoclp_sfc::edit::{Operation, Refusal, Side};
 use unoclp_sfc::{Document, Id, Qualifier, Sheet, svg};
@@ -32,7 +33,7 @@ answer! {
         unit: String,
         /// The element.
         svg: String,
-        /// What stands on it, from top to bottom along its lines.
+        /// What is on it, from top to bottom along its lines.
         parts: Vec<ChartPart>,
         /// The points of each step: whether it is active, and its time; none while the text is no program.
         points: Vec<[Option<String>; 2]>,
@@ -91,10 +92,13 @@ pub fn charted(analysis: &Analysis, look: &str, act: Option<Act>) -> Result<Char
     let of = analysis.written().text();
     let is_project = is_project(&of);
     let all = |text: &str| match is_project {
-        true => charts(text),
-        false => Document::all(text),
+        true => {
+            let mut charts = InProject::of(text);
+            (std::mem::take(&mut charts.documents), Some(charts))
+        }
+        false => (Document::all(text), None),
     };
-    let mut documents = all(&of);
+    let (mut documents, mut project) = all(&of);
     let (mut text, mut select) = (None, None);
     if let Some(act) = act {
         let chart = documents
@@ -106,7 +110,7 @@ pub fn charted(analysis: &Analysis, look: &str, act: Option<Act>) -> Result<Char
             true => write_chart(&of, &after).ok_or_else(|| both(drawn_parts))?,
             false => after.text(),
         };
-        documents = all(&after);
+        (documents, project) = all(&after);
         (text, select) = (Some(after), Some(id.to_string()));
     }
     // What has just been changed is compiled when the page has its text.
@@ -114,9 +118,11 @@ pub fn charted(analysis: &Analysis, look: &str, act: Option<Act>) -> Result<Char
         (None, Some(Ok(source))) => Charts::new(source),
         _ => Charts::default(),
     };
+    let file = text.as_deref().unwrap_or(&of);
+    let project = project.as_ref().map(|project| (project, file));
     let charts = documents
         .iter()
-        .map(|document| drawn(document, look, &live, is_project));
+        .map(|document| drawn(document, look, &live, project));
     Ok(Charted {
         charts: charts.collect(),
         text,
@@ -124,7 +130,12 @@ pub fn charted(analysis: &Analysis, look: &str, act: Option<Act>) -> Result<Char
     })
 }
 
-fn drawn(document: &Document, look: Look, live: &Charts, is_project: bool) -> ChartDrawn {
+fn drawn(
+    document: &Document,
+    look: Look,
+    live: &Charts,
+    project: Option<(&InProject, &str)>,
+) -> ChartDrawn {
     let sheet = Sheet::drawn(document, look);
     let of_unit = |chart: &&unoclp_exercise::live::Chart| chart.document.unit == document.unit;
     let points = live.all().iter().find(of_unit).map_or(Vec::new(), |chart| {
@@ -137,8 +148,18 @@ fn drawn(document: &Document, look: Look, live: &Charts, is_project: bool) -> Ch
     let text = document.text();
     let places = document.places();
     // Each kind stands in its order.
-    let [steps, transitions, actions] =
-        [places.steps, places.transitions, places.actions].map(|all| in_units(&text, &all));
+    let all = [places.steps, places.transitions, places.actions];
+    let [steps, transitions, actions] = match project {
+        None => in_units(
+            &text,
+            all.map(|all| all.into_iter().map(|one| vec![one]).collect()),
+        ),
+        // It has its charts in another form.
+        Some((project, file)) => {
+            let in_file = |place: Range<usize>| project.in_file(place);
+            in_units(file, all.map(|all| all.into_iter().map(in_file).collect()))
+        }
+    };
     let placed = |id| match id {
         Id::Step(step) => (steps.get(step), None),
         Id::Does(step, nth) => {
@@ -154,8 +175,7 @@ fn drawn(document: &Document, look: Look, live: &Charts, is_project: bool) -> Ch
     let parts = sheet.items.iter().map(|item| {
         let mut part = part(document, item.id, item.middle());
         let (own, action) = placed(item.id);
-        // A project has its charts in another form.
-        let places = own.into_iter().chain(action).filter(|_| !is_project);
+        let places = own.into_iter().chain(action).flatten();
         part.places = places.copied().collect();
         part
     });
@@ -168,11 +188,20 @@ fn drawn(document: &Document, look: Look, live: &Charts, is_project: bool) -> Ch
     }
 }
 
+/// The places of each part of each kind.
+type Places<P> = [Vec<Vec<P>>; 3];
+
 /// Places in units of UTF-16.
-fn in_units(text: &str, places: &[Range<usize>]) -> Vec<[usize; 2]> {
+fn in_units(text: &str, places: Places<Range<usize>>) -> Places<[usize; 2]> {
+    let all = places.iter().flatten().flatten();
+    let mut bytes: Vec<usize> = all.flat_map(|place| [place.start, place.end]).collect();
+    bytes.sort_unstable();
     let mut units = Units::new(text);
-    let of = |place: &Range<usize>| [units.of(place.start), units.of(place.end)];
-    places.iter().map(of).collect()
+    let known: HashMap<usize, usize> = bytes.into_iter().map(|at| (at, units.of(at))).collect();
+    let of = |byte: usize| known.get(&byte).copied().unwrap_or(0);
+    let place = |place: Range<usize>| [of(place.start), of(place.end)];
+    let part = |part: Vec<Range<usize>>| part.into_iter().map(place).collect();
+    places.map(|kind| kind.into_iter().map(part).collect())
 }
 
 fn part(document: &Document, id: Id, (x, y): (f32, f32)) -> ChartPart {

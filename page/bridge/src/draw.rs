@@ -12,7 +12,9 @@ use unoclp_program::Lang;
 use unoclp_program::Source;
 use unoclp_program::list::title;
 #[cfg(feature = "full")]
-use unoclp_program::list::{Form, Lost, Paper, list, pages, plcopen, svg};
+use unoclp_program::list::{
+    Body, Form, Lost, Paper, list, pages, picture, plcopen, svg, svg_of_blocks,
+};
 use unoclp_workspace::Analysis;
 
 /// The language of what is drawn.
@@ -60,8 +62,14 @@ pub enum As {
     Numeric,
     /// A ladder diagram as an SVG file, for a report.
     Svg,
-    /// A project in PLCopen XML.
+    /// The same without a heading, beside a text that says what it is.
+    Picture,
+    /// The same as `Svg`, of block diagrams.
+    SvgFbd,
+    /// A project in PLCopen XML, in LD.
     Xml,
+    /// The same in FBD.
+    XmlFbd,
 }
 
 answer! {
@@ -129,8 +137,14 @@ pub fn listed(source: &Source, form: As, width: usize, speak: Speak) -> Result<S
         As::St => Form::St,
         As::Numeric => Form::Numeric,
         As::Svg => return Ok(svg(source, width, speak.into())),
-        As::Xml => {
-            let project = plcopen(source);
+        As::Picture => return Ok(picture(source, width, speak.into())),
+        As::SvgFbd => return Ok(svg_of_blocks(source, speak.into())),
+        As::Xml | As::XmlFbd => {
+            let body = match form {
+                As::XmlFbd => Body::Blocks,
+                _ => Body::Ladder,
+            };
+            let project = plcopen(source, body);
             let project = project.map_err(|lost| both(|lang| told(&lost, lang)))?;
             return Ok(project.text);
         }

@@ -6,9 +6,11 @@ use crate::answer::answer;
 use crate::given::wrong;
 use crate::tell::Units;
 use crate::words::{No, both};
+use unoclp_assist as assist;
 use unoclp_lang::Span;
 use unoclp_plcopen::{
-    Change, Outline, Row, Touch, add, alter, outline, remove, retain, shown, touch, write_body,
+    Change, Outline, Row, Touch, Where, add, alter, draw, erase, outline, remove, retain, shown,
+    touch, write_body,
 };
 use unoclp_workspace::Analysis;
 
@@ -182,7 +184,7 @@ pub fn altered(
     let of_element = |change: Touch| touch(text, unit.unwrap_or_default(), at, &change);
     let is = to == "true";
     let after = match what {
-        "name" => of_row(Change::Name(named(to)?)),
+        "name" => return renamed(analysis, unit, at, &named(to)?),
         "kind" => of_row(Change::Kind(filled().ok_or_else(|| wrong("to"))?)),
         "first" => of_row(Change::First(filled())),
         "place" => of_row(Change::Place(filled())),
@@ -191,6 +193,11 @@ pub fn altered(
         "add" => add(text, unit, at, &named(to)?, "BOOL"),
         "remove" => remove(text, unit, at),
         "body" => write_body(text, unit.unwrap_or_default(), to),
+        "before" => draw(text, unit.unwrap_or_default(), Where::Before, at, to),
+        "after" => draw(text, unit.unwrap_or_default(), Where::After, at, to),
+        "beside" => draw(text, unit.unwrap_or_default(), Where::Beside, at, to),
+        "below" => draw(text, unit.unwrap_or_default(), Where::Below, at, to),
+        "erase" => erase(text, unit.unwrap_or_default(), at),
         "written" => of_element(Touch::Written(filled().ok_or_else(|| wrong("to"))?)),
         "negated" => of_element(Touch::Negated(is)),
         "edge" => of_element(Touch::Edge(to.to_owned())),
@@ -198,6 +205,15 @@ pub fn altered(
         _ => return Err(wrong("what").into()),
     };
     after.ok_or_else(|| both(not_so).into())
+}
+
+/// A project in which a variable has another name, wherever it is used.
+fn renamed(analysis: &Analysis, unit: Option<&str>, at: &str, to: &str) -> Result<String, No> {
+    let written = analysis.written();
+    let byte = assist::declared(written, unit, at).ok_or_else(|| both(not_so))?;
+    let edits = assist::rename(analysis, byte, to);
+    let edits = edits.map_err(|why| No::Told(both(|lang| why.message(lang))))?;
+    Ok(assist::edited(&written.text(), &edits))
 }
 
 fn named(to: &str) -> Result<String, No> {

@@ -46,27 +46,40 @@ impl Reader<'_> {
             _ if !word.is_name() => return None,
             _ => {}
         }
+        if let Some(declared) = self.declared_at(word.span) {
+            return Some(Meaning::Declared(declared));
+        }
         if self.text_of(at.checked_sub(1)) == "." {
             let owner = self.owner(at)?;
             return self.member(&owner, word.text);
         }
-        if let Some(pin) = self.pin(at) {
-            return Some(pin);
+        let pin = self.pin(at);
+        pin.or_else(|| self.name(word.text, word.span.start))
+    }
+
+    /// What is declared there: its place tells it from others of its name.
+    fn declared_at(&self, span: Span) -> Option<usize> {
+        let all = &self.outline.named;
+        let at = all.binary_search_by_key(&span.start, |named| named.name.start);
+        let at = at.ok()?;
+        let name = self.written(span);
+        match all[at].what {
+            What::Program => self.program(name),
+            What::Member | What::Value => Some(at),
+            _ => self.beyond(self.find(all[at].within, name)?),
         }
-        let member = self.member_at(word.span).map(Meaning::Declared);
-        member.or_else(|| self.name(word.text, word.span.start))
     }
 
-    /// The member of a structure that is declared there: no unit's name, so only its place tells it.
-    fn member_at(&self, span: Span) -> Option<usize> {
-        let named = &self.outline.named;
-        let at = named.binary_search_by_key(&span.start, |named| named.name.start);
-        at.ok().filter(|at| named[*at].what == What::Member)
-    }
-
-    /// What a name means at a byte of the text.
+    /// What a name means that begins at a byte of the text.
     pub fn name(&self, name: &str, byte: u32) -> Option<Meaning> {
+        let program = || self.program(name).map(Meaning::Declared);
+        if self.programs.contains(&byte)
+            && let Some(program) = program()
+        {
+            return Some(program);
+        }
         let unit = self.unit_at(byte);
+        let unit = unit.filter(|_| !self.types.contains(&byte));
         let own = unit.and_then(|unit| self.find(Some(unit), name));
         let own = own.and_then(|own| self.beyond(own));
         let global = || self.find(None, name);
@@ -79,7 +92,8 @@ impl Reader<'_> {
         if let Some(standard) = standard {
             return Some(Meaning::Standard(standard));
         }
-        is_function(&upper).then_some(Meaning::Function(upper))
+        let function = is_function(&upper).then_some(Meaning::Function(upper));
+        function.or_else(program)
     }
 
     /// What VAR_EXTERNAL names, where it is declared; any other is itself.

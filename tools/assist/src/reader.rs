@@ -1,6 +1,6 @@
 //! A text as its words and its declarations have it.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use unoclp_lang::outline::{Named, Outline, What};
 use unoclp_lang::{Colour, Span, TextLanguage};
 
@@ -33,8 +33,15 @@ pub(crate) struct Reader<'t> {
     pub outline: Outline,
     /// For each word the `(` or `[` that it stands in, or that it closes.
     pub openers: Vec<usize>,
-    /// Declarations by what they belong to and by their names, folded.
+    /// The words that name a type, a block or a function by where they stand, by their first bytes: a variable of that name
+    /// is not meant.
+    pub types: HashSet<u32>,
+    /// The words that name a program so.
+    pub programs: HashSet<u32>,
+    /// Declarations by what they belong to and by their names, folded; without the programs, whose names others may have.
     names: HashMap<(Option<usize>, String), usize>,
+    /// The programs by their names.
+    runs: HashMap<String, usize>,
     /// The units, in the order of their places: none stands in another.
     units: Vec<usize>,
     /// Values of enumerations, which need no type before them.
@@ -57,13 +64,17 @@ impl<'t> Reader<'t> {
             text,
             language,
             openers: Vec::new(),
+            types: HashSet::new(),
+            programs: configured(&words).collect(),
             words,
             outline,
             names: HashMap::new(),
+            runs: HashMap::new(),
             units: Vec::new(),
             values: HashMap::new(),
         };
         reader.openers = openers(&reader.words);
+        reader.types = reader.typed();
         for (at, named) in reader.outline.named.iter().enumerate() {
             let key = (named.within, reader.fold(reader.written(named.name)));
             if named.what.is_unit() {
@@ -73,9 +84,27 @@ impl<'t> Reader<'t> {
                 reader.values.entry(key.1.clone()).or_insert(at);
             }
             // The first one counts: a second is a mistake that the compiler tells.
-            reader.names.entry(key).or_insert(at);
+            match named.what {
+                What::Program => reader.runs.entry(key.1).or_insert(at),
+                _ => reader.names.entry(key).or_insert(at),
+            };
         }
         reader
+    }
+
+    /// The words that declarations have for types: none of them stands in parentheses.
+    fn typed(&self) -> HashSet<u32> {
+        let mut all = HashSet::new();
+        for span in self.outline.named.iter().filter_map(|named| named.ty) {
+            let first = |byte: u32| self.words.partition_point(|word| word.span.start < byte);
+            for at in first(span.start)..first(span.end) {
+                let opener = self.opener(at).map(|opener| self.words[opener].span.start);
+                if opener.is_none_or(|opener| opener < span.start) {
+                    all.insert(self.words[at].span.start);
+                }
+            }
+        }
+        all
     }
 
     /// What is written there.
@@ -96,7 +125,12 @@ impl<'t> Reader<'t> {
         self.outline.named.get(at)
     }
 
-    /// The declaration of this name in a unit or type, or among those of all.
+    /// The program of this name.
+    pub fn program(&self, name: &str) -> Option<usize> {
+        self.runs.get(&self.fold(name)).copied()
+    }
+
+    /// The declaration of this name in a unit or type, or among those of all but programs.
     pub fn find(&self, within: Option<usize>, name: &str) -> Option<usize> {
         self.names.get(&(within, self.fold(name))).copied()
     }
@@ -182,6 +216,24 @@ fn parted(word: Word<'_>) -> Vec<Word<'_>> {
         }
     }
     parts
+}
+
+/// The names of the programs that a configuration runs: `PROGRAM instance WITH task : name`, by their first bytes.
+fn configured(words: &[Word<'_>]) -> impl Iterator<Item = u32> {
+    let is_word = |word: &Word<'_>, says: &str| {
+        word.colour == Some(Colour::Word) && word.text.eq_ignore_ascii_case(says)
+    };
+    let from = words
+        .iter()
+        .position(|word| is_word(word, "CONFIGURATION"))
+        .unwrap_or(words.len());
+    let inside = words[from..].windows(6);
+    let inside = inside.take_while(move |next| !is_word(&next[0], "END_CONFIGURATION"));
+    let runs = inside.filter(move |next| is_word(&next[0], "PROGRAM"));
+    runs.filter_map(|next| {
+        let colon = next.iter().position(|word| word.text == ":")?;
+        next.get(colon + 1).map(|word| word.span.start)
+    })
 }
 
 /// For each word what is open there, and at last for what would follow. What begins a unit closes all.

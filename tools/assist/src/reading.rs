@@ -28,7 +28,12 @@ impl Reading {
     pub fn reader(&self) -> Reader<'_> {
         match self {
             Reading::Text(text, language) => Reader::new(text, *language),
-            Reading::Project(whole) => Reader::new(whole.text(), TextLanguage::St),
+            Reading::Project(whole) => {
+                let mut reader = Reader::new(whole.text(), TextLanguage::St);
+                reader.types.extend(whole.units());
+                reader.programs.extend(whole.programs());
+                reader
+            }
         }
     }
 

@@ -72,6 +72,7 @@ pub fn rename(analysis: &Analysis, byte: u32, name: &str) -> Result<Vec<Edit>, N
     }
     let here = reader.find(named.within, name);
     let other = here.or_else(|| reader.find(None, name));
+    let other = other.or_else(|| reader.program(name));
     if other.is_some_and(|other| other != declared) {
         return Err(refused(NoRename::Taken));
     }

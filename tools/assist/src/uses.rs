@@ -43,11 +43,15 @@ pub fn declaration(written: &Written, byte: u32) -> Option<Span> {
 pub fn declared(written: &Written, of: Option<&str>, name: &str) -> Option<u32> {
     let reading = Reading::of(written)?;
     let reader = reading.reader();
-    let of = match of {
-        Some(of) => Some(reader.find(None, of)?),
-        None => None,
+    let found = match of {
+        Some(of) => {
+            let owners = [reader.find(None, of), reader.program(of)];
+            let mut owners = owners.into_iter().flatten();
+            owners.find_map(|of| reader.find(Some(of), name))
+        }
+        None => reader.find(None, name).or_else(|| reader.program(name)),
     };
-    let named = reader.named(reader.find(of, name)?)?;
+    let named = reader.named(found?)?;
     Some(reading.span(named.name)?.start)
 }
 

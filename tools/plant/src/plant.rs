@@ -50,7 +50,7 @@ pub struct Part {
     pub name: String,
     /// What people call it.
     pub label: Text,
-    /// Where its symbol stands; none of what stands on the panel.
+    /// Where its symbol stands; none of what is on the panel.
     pub at: Option<[i32; 2]>,
     pub(crate) given: Vec<Given>,
     /// The least and the most of each of its values.

@@ -36,7 +36,7 @@ pub struct Sharing {
     pub past: Option<Arc<dyn Past>>,
     /// The alarms, if there are some.
     pub alarms: Option<Arc<Alarms>>,
-    /// The panels: what stands on them may be written by who operates.
+    /// The panels: what is on them may be written by who operates.
     pub panels: Vec<Panel>,
     /// Where it is recorded who does what, if it is.
     pub record: Option<Arc<Record>>,

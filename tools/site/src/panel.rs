@@ -14,7 +14,7 @@ pub struct Panel {
     pub columns: u8,
     /// A drawing in SVG above the grid, if there is one.
     pub drawing: Option<String>,
-    /// What stands on the grid, in this order.
+    /// What is on the grid, in this order.
     pub items: Vec<Item>,
     /// What moves in the drawing.
     pub binds: Vec<Bind>,

@@ -102,7 +102,7 @@ pub struct Parallel {
 pub struct Path {
     /// What it is known by.
     pub id: Id,
-    /// What stands on it.
+    /// What is on it.
     pub series: Series,
 }
 

@@ -18,7 +18,7 @@ mod symbol;
 mod wires;
 
 pub use area::Area;
-pub use picture::to_svg;
+pub use picture::{to_picture, to_svg, to_svg_of_blocks};
 pub use report::{Paper, Report, to_report};
 pub use screen::{to_blocks, to_screen};
 pub(crate) use sheet::{Labels, OnSheet, Shape, tops};

@@ -5,7 +5,7 @@ use super::node::{Node, data, digits};
 use super::wires::{Wires, arms, horizontal, is_rail, is_text, vertical};
 use super::{AXIS, GAP, HEADING, MARGIN, RAIL, TEXT_ROW, WIRE, WIRE_ROW, x};
 use crate::block::Cell;
-use crate::{Drawing, Ladder, Net, Picture, Rung};
+use crate::{Ladder, Net, Picture, Rung};
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -97,7 +97,7 @@ impl Font {
 pub(super) struct Page<'p> {
     pub(super) ladder: &'p Ladder,
     /// Columns, rails included.
-    width: usize,
+    pub(super) width: usize,
     pub(super) group: Node,
     pub(super) y: f32,
     /// On a screen, where a style sheet says how all of it looks, and what is live has a name: the rung that is drawn.
@@ -109,11 +109,11 @@ pub(super) struct Page<'p> {
 }
 
 impl<'p> Page<'p> {
-    /// An empty page of paper that begins at this height.
-    pub(super) fn new(drawing: &'p Drawing<'p>, y: f32) -> Page<'p> {
+    /// An empty page of paper, of so many columns, that begins at this height.
+    pub(super) fn new(ladder: &'p Ladder, width: usize, y: f32) -> Page<'p> {
         Page {
-            ladder: drawing.ladder(),
-            width: drawing.width,
+            ladder,
+            width,
             group: Node::group(),
             y,
             screen: None,
@@ -297,9 +297,15 @@ impl<'p> Page<'p> {
                 if cell.net.is_some() {
                     self.text(x(column as f32), axis + 4.5, &text, &Font::NOTE);
                 } else {
-                    let (from, to) = symbol_below(below, column..end).unwrap_or((column, end));
+                    let symbol = symbol_below(below, column..end);
+                    let (from, to) = symbol.map_or((column, end), |(_, columns)| columns);
                     let middle = x((from + to) as f32 / 2.0);
-                    self.text(middle, axis + 4.5, &text, &Font::NAME);
+                    // It stands at its symbol, however high the rows between are: others may have wires there.
+                    let wire = symbol.and_then(|(row, _)| Some((row, axes.get(row + 1)?)));
+                    let y = wire.map_or(axis + 4.5, |(row, wire)| {
+                        wire - AXIS - 4.0 - row as f32 * TEXT_ROW
+                    });
+                    self.text(middle, y, &text, &Font::NAME);
                 }
             }
             column = end;
@@ -307,16 +313,16 @@ impl<'p> Page<'p> {
     }
 }
 
-/// The columns of the symbol that a name in these columns is of: it stands in the next row, or in the one after.
-fn symbol_below(rows: &[Vec<Cell>], name: Range<usize>) -> Option<(usize, usize)> {
-    let mut rows = rows.iter().take(2);
-    rows.find_map(|row| {
+/// The symbol that a name in these columns is of: its row, the next or, of a box with pins, the one after; and its columns.
+fn symbol_below(rows: &[Vec<Cell>], name: Range<usize>) -> Option<(usize, (usize, usize))> {
+    let mut rows = rows.iter().take(2).enumerate();
+    rows.find_map(|(index, row)| {
         let element = |column: usize| row.get(column).and_then(|cell| cell.element);
         let within = name.clone().find(|&column| element(column).is_some())?;
         let is_same = |column: &usize| element(*column) == element(within);
         let from = (0..=within).rev().take_while(is_same).last()?;
         let to = (within..row.len()).take_while(is_same).last()? + 1;
-        Some((from, to))
+        Some((index, (from, to)))
     })
 }
 

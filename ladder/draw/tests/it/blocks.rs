@@ -3,9 +3,11 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use unoclp_checked::SourceMap;
 use unoclp_core::{Board, Loader};
-use unoclp_draw::Look;
 use unoclp_draw::edit::{Canvas, Document, Drawn};
+use unoclp_draw::{Ladder, Look, Medium, Names, Style, listing_of_blocks, to_svg_of_blocks};
+use unoclp_point::Address;
 
 /// The programs of this folder, and of those within.
 fn programs(folder: &Path, found: &mut Vec<PathBuf>) {
@@ -96,4 +98,37 @@ fn a_latch_is_two_gates_with_a_negated_input() {
     ] {
         assert_eq!(svg.matches(text).count(), count, "{text}\n{svg}");
     }
+}
+
+#[test]
+fn a_rung_is_drawn_as_blocks_in_characters() {
+    let file = "0\n827301\n40\n827901\n41\n-827302\n877901\n83877902\n787600\n-827303\n-877903\n";
+    let mut memory = vec![0; usize::from(Board::UNO.linked_bytes)];
+    let mut loader = Loader::new(&mut memory, Board::UNO);
+    file.bytes().for_each(|byte| loader.push(byte).unwrap());
+    let program = loader.finish().unwrap();
+    let ladder = Ladder::new(program.steps());
+    let names = Names::from([(Address::Input(1), "start".to_owned())]);
+    let title = |number: usize, _: Option<(usize, usize)>| format!("Rung {number}");
+    let map = SourceMap::default();
+    assert_eq!(
+        listing_of_blocks(&ladder, 80, &map, &names, &title),
+        "Rung 1
+start I1 ───┤≥1 ├───┤ & ├─┬──┤ Q1 │
+      Q1 ───┤   │   │   │ │
+      I2 ──────────o┤   │ │
+                          └──┤ S Q2 │
+
+Rung 2
+I3 ───┤ Q3 │
+"
+    );
+    let style = Style {
+        width: 80,
+        names: &names,
+        medium: Medium::Paper,
+    };
+    let svg = to_svg_of_blocks(&ladder, &style, &map, &title, "Motor");
+    assert_eq!(svg.matches("≥1").count(), 1);
+    assert!(svg.contains("start") && svg.contains("Motor"), "{svg}");
 }

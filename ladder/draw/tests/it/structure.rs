@@ -246,6 +246,33 @@ L3: again
     assert!(!svg.contains("TON T1"), "{svg}");
 }
 
+/// The wires of another branch make the rows between them higher.
+#[test]
+fn a_name_stands_at_the_address_of_its_symbol() {
+    let codes = "0 827301 40 827901 41 877901 847978 5000 7904";
+    let (checked, map) = numeric(codes.replace(' ', "\n").as_bytes(), Board::UNO).unwrap();
+    let ladder = Ladder::new(checked.program().steps());
+    let names = Names::from([
+        (Address::Timer(1), "late".to_owned()),
+        (Address::Output(4), "over".to_owned()),
+    ]);
+    let drawing = ladder.draw(&Style {
+        width: 80,
+        names: &names,
+        medium: Medium::Paper,
+    });
+    let svg = to_svg(&drawing, &map, &names, &|_, _| String::new(), "two");
+    let height = |text: &str| -> f32 {
+        let (before, _) = svg.split_once(&format!(">{text}</text>")).unwrap();
+        let (_, y) = before.rsplit_once(" y=\"").unwrap();
+        y.trim_end_matches('"').parse().unwrap()
+    };
+    for (name, address) in [("late", "T1"), ("over", "Q4")] {
+        let apart = height(address) - height(name);
+        assert!((15.0..18.0).contains(&apart), "{name}: {apart}\n{svg}");
+    }
+}
+
 /// What is wider than that is scrolled; coils stand at the right rail of all.
 #[test]
 fn a_drawing_for_a_screen_takes_the_columns_that_there_are() {

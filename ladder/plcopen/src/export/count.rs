@@ -25,7 +25,10 @@ impl Draw {
             if !alike {
                 self.lose(last.id, last.step.opcode().row().letters);
             }
-            let wire = self.way(series);
+            let mut wire = self.way(series);
+            if self.is_blocks {
+                self.lead(&mut wire);
+            }
             let (x, y) = at.map_or((0, wire.at.y), |at| (at.x, at.y));
             at = Some(At {
                 x: x.max(wire.at.x),
@@ -46,15 +49,14 @@ impl Draw {
         Some(self.variables.of(Address::Counter(number), kind))
     }
 
-    /// What says whether a counter has reached its preset, or is at 0.
-    pub(crate) fn reached(&mut self, number: u8, zero: bool) -> Option<String> {
-        let output = match (self.counters.kind(number)?, zero) {
+    /// The output that says whether a counter has reached its preset, or is at 0.
+    pub(crate) fn reached(&self, number: u8, zero: bool) -> Option<&'static str> {
+        Some(match (self.counters.kind(number)?, zero) {
             ("CTU", false) | ("CTD", true) => "Q",
             ("CTUD", false) => "QU",
             ("CTUD", true) => "QD",
             _ => return None,
-        };
-        Some(format!("{}.{output}", self.counted(number)?))
+        })
     }
 
     /// Draws the block of the counter that this instruction counts, with these inputs.
@@ -74,6 +76,10 @@ impl Draw {
             "CTUD" => &["QU", "QD", "CV"],
             _ => &["Q", "CV"],
         };
-        self.body.block(kind, Some(&instance), &inputs, outputs, at)
+        let block = self.body.block(kind, Some(&instance), &inputs, outputs, at);
+        if self.is_blocks {
+            self.drawn.insert(number, block);
+        }
+        block
     }
 }

@@ -15,6 +15,8 @@ pub(crate) const ROW: i64 = 60;
 
 /// A body as it is drawn.
 pub(crate) struct Draw {
+    /// Whether as a block diagram.
+    pub is_blocks: bool,
     pub body: Body,
     pub variables: Variables,
     pub lost: Vec<Lost>,
@@ -25,6 +27,8 @@ pub(crate) struct Draw {
     pub row: i64,
     pub timers: HashMap<Id, u8>,
     pub counters: Counters,
+    /// The blocks of those counters that are drawn, in a block diagram.
+    pub drawn: HashMap<u8, u32>,
 }
 
 /// What value holds, and what has been pushed; none where that is not known.
@@ -44,7 +48,7 @@ pub(crate) struct Wire {
 }
 
 impl Draw {
-    pub(crate) fn new(document: &Document) -> Draw {
+    pub(crate) fn new(document: &Document, is_blocks: bool) -> Draw {
         let mut timers = HashMap::new();
         let mut kinds: HashMap<u8, &str> = HashMap::new();
         for rung in document.rungs() {
@@ -65,6 +69,8 @@ impl Draw {
             variables.of(Address::Timer(*number), kind);
         }
         Draw {
+            is_blocks,
+            drawn: HashMap::new(),
             body: Body::default(),
             variables,
             lost: Vec::new(),
@@ -98,8 +104,10 @@ impl Draw {
             return count;
         }
         let wire = self.way(&rung.series);
-        let x = wire.at.x + COLUMN;
-        self.body.end(&wire.from, At { x, ..wire.at });
+        if !self.is_blocks {
+            let x = wire.at.x + COLUMN;
+            self.body.end(&wire.from, At { x, ..wire.at });
+        }
         self.row += ROW;
         1
     }
@@ -109,11 +117,17 @@ impl Draw {
         let rail = self.rail();
         self.values = Values::default();
         let mut wire = rail.clone();
-        self.series(series, &mut wire, &rail);
+        match self.is_blocks {
+            true => self.series_of_blocks(series, (&mut wire, &rail), 1),
+            false => self.series(series, &mut wire, &rail),
+        }
         wire
     }
 
     fn rail(&mut self) -> Wire {
+        if self.is_blocks {
+            return self.first_of_blocks();
+        }
         let at = At { x: 20, y: self.row };
         let rail = self.body.rail(at);
         Wire {
@@ -127,52 +141,59 @@ impl Draw {
 
     /// Draws what is in series; `rail` is where a way of its own begins.
     fn series(&mut self, series: &[Node], wire: &mut Wire, rail: &Wire) {
+        if self.is_blocks {
+            return self.series_of_blocks(series, (wire, rail), 0);
+        }
         for node in series {
-            match node {
-                Node::Element(element) => {
-                    let end = self.row.max(wire.at.y);
-                    self.element(element, wire);
-                    self.row = end.max(self.row);
-                }
-                Node::Store(store) => self.lose(store.id, "()"),
-                Node::Parallel(parallel) => {
-                    let from = wire.clone();
-                    let before = self.values.clone();
-                    let mut after: Option<Values> = None;
-                    let mut ends = Vec::new();
-                    let mut x = from.at.x;
-                    for (index, path) in parallel.paths.iter().enumerate() {
-                        let mut way = from.clone();
-                        if index > 0 {
-                            self.row += ROW;
-                            way.at.y = self.row;
-                        }
-                        self.values = before.clone();
-                        self.series(&path.series, &mut way, rail);
-                        x = x.max(way.at.x);
-                        ends.extend(way.from);
-                        let same = after.as_ref().is_none_or(|after| *after == self.values);
-                        after = Some(if same {
-                            self.values.clone()
-                        } else {
-                            Values::default()
-                        });
-                    }
-                    self.values = after.unwrap_or_default();
-                    ends.dedup();
-                    wire.from = ends;
-                    // Outputs run from top to bottom: what follows is drawn no higher.
-                    wire.at = At { x, y: self.row };
-                }
-                Node::Block(block) => self.gate(block, wire, rail),
+            self.node(node, wire, rail);
+        }
+    }
+
+    /// Draws a piece of what is in series.
+    pub(super) fn node(&mut self, node: &Node, wire: &mut Wire, rail: &Wire) {
+        match node {
+            Node::Element(element) => {
+                let end = self.row.max(wire.at.y);
+                self.element(element, wire);
+                self.row = end.max(self.row);
             }
+            Node::Store(store) => self.lose(store.id, "()"),
+            Node::Parallel(parallel) => {
+                let from = wire.clone();
+                let before = self.values.clone();
+                let mut after: Option<Values> = None;
+                let mut ends = Vec::new();
+                let mut x = from.at.x;
+                for (index, path) in parallel.paths.iter().enumerate() {
+                    let mut way = from.clone();
+                    if index > 0 {
+                        self.row += ROW;
+                        way.at.y = self.row;
+                    }
+                    self.values = before.clone();
+                    self.series(&path.series, &mut way, rail);
+                    x = x.max(way.at.x);
+                    ends.extend(way.from);
+                    let same = after.as_ref().is_none_or(|after| *after == self.values);
+                    after = Some(if same {
+                        self.values.clone()
+                    } else {
+                        Values::default()
+                    });
+                }
+                self.values = after.unwrap_or_default();
+                ends.dedup();
+                wire.from = ends;
+                // Outputs run from top to bottom: what follows is drawn no higher.
+                wire.at = At { x, y: self.row };
+            }
+            Node::Block(block) if block.recall.is_some() => self.lose(block.id, "()"),
+            Node::Block(block) if self.is_blocks => self.gate_of_blocks(block, wire, rail),
+            Node::Block(block) => self.gate(block, wire, rail),
         }
     }
 
     fn gate(&mut self, block: &Block, wire: &mut Wire, rail: &Wire) {
-        if block.recall.is_some() {
-            return self.lose(block.id, "()");
-        }
         let kind = match block.gate {
             Gate::And => "AND",
             Gate::Or => "OR",
@@ -212,13 +233,17 @@ impl Draw {
             x: at.x - COLUMN / 2,
             y: self.row,
         };
-        self.body.value(expression, at)
+        self.body.value(expression, false, at)
     }
 
     /// Where an element is that no project can say.
     pub(crate) fn lose(&mut self, at: Id, what: impl Into<String>) {
-        let (rung, what) = (self.rung, what.into());
-        self.lost.push(Lost { at, rung, what });
+        self.lost.push(Lost {
+            at,
+            rung: self.rung,
+            what: what.into(),
+            is_blocks: false,
+        });
     }
 }
 

@@ -10,6 +10,13 @@ impl Draw {
     pub(crate) fn element(&mut self, element: &Element, wire: &mut Wire) {
         let step = &element.step;
         let (opcode, number) = (step.opcode(), step.number().unwrap_or(0));
+        let takes_en = matches!(
+            step.class(),
+            Class::Load | Class::Operation | Class::Comparison | Class::Store
+        );
+        if self.is_blocks && !takes_en {
+            self.lead(wire);
+        }
         match step.class() {
             Class::Contact | Class::Condition => self.contact(element, wire),
             Class::Coil => self.coil(element, wire),
@@ -69,26 +76,48 @@ impl Draw {
     }
 
     fn contact(&mut self, element: &Element, wire: &mut Wire) {
-        let step = &element.step;
-        let opcode = step.opcode();
-        let number = step.number().unwrap_or(0);
-        let variable = match opcode.row().kind {
-            Kind::TimerQ => {
-                let known = self.timers.values().any(|timer| *timer == number);
-                known.then(|| format!("{}.Q", self.variables.of(Address::Timer(number), "TON")))
-            }
-            Kind::Counter => self.reached(number, step.class() == Class::Condition),
-            _ => bit(step).map(|point| self.variables.of(point, "BOOL")),
+        let Some(variable) = self.read(element) else {
+            return;
         };
-        let Some(variable) = variable else {
-            return self.lose(element.id, opcode.row().letters);
-        };
-        let attributes = format!(" negated=\"{}\"", opcode.is_inverted());
+        let attributes = format!(" negated=\"{}\"", element.step.opcode().is_inverted());
         let id = self
             .body
             .symbol("contact", &attributes, &variable, &wire.from, wire.at);
         wire.from = vec![(id, "")];
         wire.at.x += COLUMN;
+    }
+
+    /// The variable that a contact reads; none, which is noted, where it is none.
+    pub(super) fn read(&mut self, element: &Element) -> Option<String> {
+        let step = &element.step;
+        let number = step.number().unwrap_or(0);
+        let variable = match step.opcode().row().kind {
+            Kind::TimerQ => {
+                let known = self.timers.values().any(|timer| *timer == number);
+                known.then(|| format!("{}.Q", self.variables.of(Address::Timer(number), "TON")))
+            }
+            Kind::Counter => {
+                let output = self.output_read(element);
+                let instance = self.counted(number);
+                instance
+                    .zip(output)
+                    .map(|(name, output)| format!("{name}.{output}"))
+            }
+            _ => bit(step).map(|point| self.variables.of(point, "BOOL")),
+        };
+        if variable.is_none() {
+            self.lose(element.id, step.opcode().row().letters);
+        }
+        variable
+    }
+
+    /// The output of a counter that a contact reads.
+    pub(super) fn output_read(&self, element: &Element) -> Option<&'static str> {
+        let step = &element.step;
+        let number = step
+            .number()
+            .filter(|_| step.opcode().row().kind == Kind::Counter)?;
+        self.reached(number, step.class() == Class::Condition)
     }
 
     fn coil(&mut self, element: &Element, wire: &mut Wire) {
@@ -103,9 +132,19 @@ impl Draw {
         let Some(point) = bit(&element.step) else {
             return self.lose(element.id, opcode.row().letters);
         };
+        self.driven(attributes, point, wire);
+    }
+
+    /// A coil, or a variable that takes the power.
+    fn driven(&mut self, attributes: &str, point: Address, wire: &mut Wire) {
         let name = self.variables.of(point, "BOOL");
-        self.body
-            .symbol("coil", attributes, &name, &wire.from, wire.at);
+        match wire.from[..] {
+            [from] if self.is_blocks => self.body.taken(attributes, &name, from, wire.at),
+            _ => drop(
+                self.body
+                    .symbol("coil", attributes, &name, &wire.from, wire.at),
+            ),
+        }
         wire.at.x += COLUMN;
     }
 
@@ -129,10 +168,7 @@ impl Draw {
             OUTPUT_OPERAND.. => Address::Output((target - OUTPUT_OPERAND) as u8),
             _ => Address::Marker((target - MARKER_OPERAND) as u8),
         };
-        let name = self.variables.of(point, "BOOL");
-        self.body
-            .symbol("coil", " negated=\"false\"", &name, &wire.from, wire.at);
-        wire.at.x += COLUMN;
+        self.driven(" negated=\"false\"", point, wire);
     }
 }
 

@@ -12,13 +12,19 @@ pub struct Lost {
     pub rung: usize,
     /// What it is.
     pub what: String,
+    /// Whether it is a block diagram that cannot.
+    pub is_blocks: bool,
 }
 
 impl Lost {
     /// Why there is no project, with its number.
     pub fn text(&self, lang: Lang) -> String {
         let words = vec![self.rung.to_string().into(), self.what.as_str().into()];
-        let told = Diagnostic::new(Code::XmlLost, Span::default(), words);
+        let code = match self.is_blocks {
+            true => Code::XmlNoBlocks,
+            false => Code::XmlLost,
+        };
+        let told = Diagnostic::new(code, Span::default(), words);
         format!("{}: {}", told.code, told.message(lang))
     }
 }

@@ -2,10 +2,12 @@
 //! for, in Instruction List.
 //!
 //! - `frame`: what is around all of it; `xml`: the elements as XML; `names`: the variables
+//! - `blocks`: the same as a block diagram
 //! - `draw`: rungs and their wires; `elements`: what is on them; `counters`, `count`: rungs that are inputs of one block
 //! - `numbers`: loads, operations, comparisons and stores
 //! - `il`: a program in Instruction List; `same`: what is written is read again; `text`: a text in place of a document
 
+mod blocks;
 mod count;
 mod counters;
 mod draw;
@@ -45,7 +47,7 @@ pub(crate) use xml::escaped;
 /// # Errors
 /// What no project says: a document that is no program.
 pub fn export(document: &Document, name: &str, board: Board) -> Result<Exported, Vec<Lost>> {
-    let beyond = match ladder(document, name, board) {
+    let beyond = match drawn(document, name, board, false) {
         Ok(text) => {
             let beyond = Vec::new();
             return Ok(Exported { text, beyond });
@@ -66,9 +68,33 @@ pub fn export(document: &Document, name: &str, board: Board) -> Result<Exported,
     Err(beyond)
 }
 
-/// A document as a project in LD.
-fn ladder(document: &Document, name: &str, board: Board) -> Result<String, Vec<Lost>> {
-    let mut draw = Draw::new(document);
+/// The same with its program in FBD. [`Exported::beyond`] says what no block diagram has a form for; where there is any, the
+/// program is exported as [`export`] does.
+///
+/// # Errors
+/// What no project says: a document that is no program.
+pub fn export_blocks(document: &Document, name: &str, board: Board) -> Result<Exported, Vec<Lost>> {
+    match drawn(document, name, board, true) {
+        Ok(text) => {
+            let beyond = Vec::new();
+            Ok(Exported { text, beyond })
+        }
+        Err(mut beyond) => {
+            beyond.iter_mut().for_each(|lost| lost.is_blocks = true);
+            let text = export(document, name, board)?.text;
+            Ok(Exported { text, beyond })
+        }
+    }
+}
+
+/// A document as a project in LD, or in FBD.
+fn drawn(
+    document: &Document,
+    name: &str,
+    board: Board,
+    is_blocks: bool,
+) -> Result<String, Vec<Lost>> {
+    let mut draw = Draw::new(document, is_blocks);
     let rungs: Vec<_> = document.rungs().collect();
     let mut at = 0;
     while let Some(behind) = rungs.get(at..).filter(|behind| !behind.is_empty()) {
@@ -77,7 +103,8 @@ fn ladder(document: &Document, name: &str, board: Board) -> Result<String, Vec<L
     if !draw.lost.is_empty() {
         return Err(draw.lost);
     }
-    let body = format!("          <LD>\n{}          </LD>\n", draw.body.text);
+    let tag = if is_blocks { "FBD" } else { "LD" };
+    let body = format!("          <{tag}>\n{}          </{tag}>\n", draw.body.text);
     let text = written(document, name, &draw.variables, &body);
     match not_read(document, &text, board) {
         lost if lost.is_empty() => Ok(text),

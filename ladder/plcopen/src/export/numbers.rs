@@ -41,7 +41,10 @@ impl Draw {
             Opcode::LoadTimer => {
                 format!("{}.ET", self.variables.of(Address::Timer(number), "TON"))
             }
-            Opcode::LoadCount => format!("{}.CV", self.counted(number)?),
+            Opcode::LoadCount => match self.drawn.get(&number) {
+                Some(block) => return Some((*block, "CV")),
+                None => format!("{}.CV", self.counted(number)?),
+            },
             _ => return None,
         };
         Some(self.value_of(&expression, wire.at))
@@ -114,8 +117,9 @@ impl Draw {
             _ => return None,
         };
         let (left, right) = self.operands(&element.step, wire)?;
+        let enables = self.enables(wire);
         let inputs = [
-            ("EN", &wire.from[..]),
+            ("EN", &enables[..]),
             ("IN1", &[left][..]),
             ("IN2", &[right][..]),
         ];
@@ -142,7 +146,8 @@ impl Draw {
             Some(block) => block,
             None => {
                 let value = self.values.value?;
-                let inputs = [("EN", &wire.from[..]), ("IN", &[value][..])];
+                let enables = self.enables(wire);
+                let inputs = [("EN", &enables[..]), ("IN", &[value][..])];
                 let id = self
                     .body
                     .block("MOVE", None, &inputs, &["ENO", "OUT"], wire.at);
@@ -156,7 +161,7 @@ impl Draw {
             y: self.row,
             ..wire.at
         };
-        self.body.taken(&name, block, at);
+        self.body.taken(" negated=\"false\"", &name, block, at);
         self.values = Values {
             value: None,
             pushed: Vec::new(),

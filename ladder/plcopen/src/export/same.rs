@@ -21,6 +21,7 @@ pub(crate) fn not_read(document: &Document, text: &str, board: Board) -> Vec<Los
         at,
         rung: document.rung_of(at).map_or(1, |rung| rung + 1),
         what: "( … )".to_owned(),
+        is_blocks: false,
     }]
 }
 

@@ -127,13 +127,13 @@ impl Body {
     }
 
     /// A value.
-    pub(crate) fn value(&mut self, expression: &str, at: At) -> Source {
+    pub(crate) fn value(&mut self, expression: &str, negated: bool, at: At) -> Source {
         let id = self.next();
         let At { x, y } = at;
         let expression = escaped(expression);
         let _ = write!(
             self.text,
-            "            <inVariable localId=\"{id}\" height=\"30\" width=\"60\" negated=\"false\">
+            "            <inVariable localId=\"{id}\" height=\"30\" width=\"60\" negated=\"{negated}\">
               <position x=\"{x}\" y=\"{y}\"/>
               <connectionPointOut>
                 <relPosition x=\"60\" y=\"15\"/>
@@ -144,15 +144,15 @@ impl Body {
         (id, "")
     }
 
-    /// A variable that takes a value.
-    pub(crate) fn taken(&mut self, expression: &str, from: Source, at: At) {
+    /// A variable that takes a value, with these attributes.
+    pub(crate) fn taken(&mut self, attributes: &str, expression: &str, from: Source, at: At) {
         let id = self.next();
         let At { x, y } = at;
         let wires = wires(&[from]);
         let expression = escaped(expression);
         let _ = write!(
             self.text,
-            "            <outVariable localId=\"{id}\" height=\"30\" width=\"60\" negated=\"false\">
+            "            <outVariable localId=\"{id}\" height=\"30\" width=\"60\"{attributes}>
               <position x=\"{x}\" y=\"{y}\"/>
               <connectionPointIn>
                 <relPosition x=\"0\" y=\"15\"/>
@@ -183,7 +183,8 @@ impl Body {
               <position x=\"{x}\" y=\"{y}\"/>
               <inputVariables>\n"
         );
-        for (row, (name, from)) in inputs.iter().enumerate() {
+        let wired = inputs.iter().filter(|(_, from)| !from.is_empty());
+        for (row, (name, from)) in wired.enumerate() {
             let (negated, name) = match name.strip_prefix('!') {
                 Some(name) => (" negated=\"true\"", name),
                 None => ("", *name),

@@ -2,7 +2,8 @@
 
 use unoclp_core::Board;
 use unoclp_plcopen::{
-    Touch, add, charts, import, outline, remove, retain, shown, touch, write_body, write_chart,
+    Charts, Touch, Where, add, charts, draw, erase, import, outline, remove, retain, shown, touch,
+    write_body, write_chart,
 };
 use unoclp_sfc::edit::Operation;
 use unoclp_sfc::{Document, Id};
@@ -129,4 +130,94 @@ fn rows_come_and_go() {
     assert!(names(&back).contains(&("hold".to_owned(), false)));
     assert!(names(&back).contains(&("one".to_owned(), true)));
     assert!(add(FIVE, Some("nobody"), "localVars", "x", "INT").is_none());
+}
+
+/// The text with something new in a unit, and its number.
+fn drawn(text: &str, unit: &str, place: Where, at: &str, what: &str) -> (String, String) {
+    let after =
+        draw(text, unit, place, at, what).unwrap_or_else(|| panic!("{what} {place:?} {at}"));
+    compiles(&after);
+    let elements = shown(&after, unit).unwrap().elements;
+    let ids = elements.iter().filter_map(|of| of.id.parse::<u32>().ok());
+    (after, ids.max().unwrap().to_string())
+}
+
+#[test]
+fn a_ladder_of_a_unit_grows_and_shrinks() {
+    let (text, contact) = drawn(FIVE, "Latch", Where::After, "4", "contact");
+    let new = shown(&text, "Latch").unwrap();
+    let own = new.elements.iter().find(|of| of.id == contact).unwrap();
+    assert_eq!((&*own.kind, &*own.written), ("contact", "go"));
+    assert!(text.contains(&format!("<connection refLocalId=\"{contact}\"/>")));
+    let shorter = erase(&text, "Latch", &contact).unwrap();
+    compiles(&shorter);
+    assert!(shorter.contains(
+        "<connectionPointIn><relPosition x=\"0\" y=\"7\"/><connection refLocalId=\"4\"/>"
+    ));
+    // In parallel: what takes the one takes the other.
+    let (text, beside) = drawn(FIVE, "Latch", Where::Beside, "3", "contact");
+    assert!(text.contains("<connection refLocalId=\"3\"/>"));
+    assert!(text.contains(&format!("<connection refLocalId=\"{beside}\"/>")));
+    let (text, coil) = drawn(&text, "Latch", Where::Beside, "5", "coil");
+    let (text, _) = drawn(&text, "Latch", Where::Before, &coil, "contact");
+    // A block of the standard gets an instance, one of the project too.
+    let (text, timer) = drawn(&text, "Latch", Where::Before, "5", "TON");
+    assert!(
+        text.contains("<variable name=\"TON_1\"><type><derived name=\"TON\"/></type></variable>")
+    );
+    let (text, pair) = drawn(&text, "Latch", Where::After, &timer, "Pair");
+    assert!(text.contains("instanceName=\"Pair_1\""));
+    let (text, _) = drawn(&text, "Latch", Where::After, "4", "Ready");
+    let (text, _) = drawn(&text, "Latch", Where::After, "4", "GT");
+    let (text, _) = drawn(&text, "Latch", Where::After, "4", "ADD");
+    let (text, _) = drawn(&text, "Latch", Where::Below, "", "coil");
+    let before = shown(&text, "Latch").unwrap().elements.len();
+    let text = erase(&text, "Latch", &pair).unwrap();
+    compiles(&text);
+    // The value at its other input goes with it.
+    assert_eq!(shown(&text, "Latch").unwrap().elements.len(), before - 2);
+    // Nothing stands before the left rail, and no value in a ladder.
+    assert!(draw(FIVE, "Latch", Where::Before, "1", "contact").is_none());
+    assert!(draw(FIVE, "Latch", Where::After, "4", "value").is_none());
+    assert!(draw(FIVE, "Latch", Where::After, "4", "Nobody").is_none());
+    assert!(draw(FIVE, "Ready", Where::Below, "", "coil").is_none());
+}
+
+#[test]
+fn a_block_diagram_of_a_unit_grows_and_shrinks() {
+    let (text, not) = drawn(FIVE, "Pair", Where::After, "3", "NOT");
+    let (text, _) = drawn(&text, "Pair", Where::After, &not, "TON");
+    let (text, _) = drawn(&text, "Pair", Where::Before, "3", "OR");
+    let (text, _) = drawn(&text, "Pair", Where::Before, "3", "value");
+    assert!(text.contains("formalParameter=\"IN3\""), "{text}");
+    let (text, more) = drawn(&text, "Pair", Where::After, &not, "variable");
+    let (text, _) = drawn(&text, "Pair", Where::Beside, &more, "variable");
+    let (text, _) = drawn(&text, "Pair", Where::Below, "", "variable");
+    let text = erase(&text, "Pair", &not).unwrap();
+    compiles(&text);
+    assert!(text.contains("a comment of the author's"));
+    assert!(draw(FIVE, "Pair", Where::After, "4", "NOT").is_none());
+    assert!(draw(FIVE, "Pair", Where::After, "3", "contact").is_none());
+}
+
+#[test]
+fn parts_of_a_chart_know_their_places_in_the_file() {
+    let charts = Charts::of(FIVE);
+    let places = charts.documents[0].places();
+    let said = |place: &std::ops::Range<usize>| -> Vec<&str> {
+        let places = charts.in_file(place.clone()).into_iter();
+        places.map(|place| &FIVE[place]).collect()
+    };
+    let step = said(&places.steps[1]);
+    assert!(
+        step.iter().any(|of| of.starts_with("<step localId=\"2\"")),
+        "{step:?}"
+    );
+    let transition = said(&places.transitions[1]);
+    assert!(transition.contains(&"halt"), "{transition:?}");
+    assert!(
+        said(&places.actions[0])
+            .concat()
+            .contains("hold(go := start")
+    );
 }

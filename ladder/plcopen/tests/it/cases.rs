@@ -134,7 +134,8 @@ fn each_case_becomes_its_code_does_what_it_says_or_is_told() {
         let document = made.document.as_ref();
         let drawn = document.map(|drawn| drawn.codes().ok().unwrap_or_default());
         match case.is_text {
-            true => assert!(drawn.is_none(), "{}", case.about),
+            true if drawn.is_some() => wrong.push(format!("{}: a document", case.about)),
+            true => {}
             false => assert_eq!(drawn, code, "{}", case.about),
         }
         let is_run = !case.outputs.is_empty();

@@ -44,7 +44,6 @@ fn changed(project: &str) -> usize {
     for unit in &before.units {
         for row in &unit.variables {
             let changes = [
-                Change::Name("another".to_owned()),
                 Change::Kind("DINT".to_owned()),
                 Change::Kind("Motor".to_owned()),
                 Change::First(Some("7 < 8".to_owned())),
@@ -59,7 +58,6 @@ fn changed(project: &str) -> usize {
                 let after = outline(&changed.unwrap()).unwrap();
                 let mut wanted = row.clone();
                 match change {
-                    Change::Name(name) => wanted.name = name,
                     Change::Kind(kind) => wanted.kind = kind,
                     Change::First(first) => wanted.first = first,
                     Change::Place(place) => wanted.place = place,

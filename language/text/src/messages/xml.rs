@@ -198,6 +198,11 @@ macro_rules! xml_rows {
         "write what the action does in ST"
         "{0}: {1} não pode ser importado como corpo de uma ação"
         "escreva em ST o que a ação faz";
+    544 XmlNoBlocks Warning
+        "rung {0}: a block diagram has no form for `{1}`; the project is in LD or Instruction List"
+        "draw it with contacts, coils and the blocks listed in docs/plcopen.md"
+        "degrau {0}: um diagrama de blocos não tem forma para `{1}`; o projeto está em LD ou Lista de Instruções"
+        "desenhe com contatos, bobinas e os blocos listados em docs/plcopen.pt-BR.md";
         }
     };
 }

@@ -206,7 +206,6 @@ impl<'t, 'f> Builder<'t, 'f> {
                 locals: Vec::new(),
                 references: 0,
                 body: Vec::new(),
-                labels: Vec::new(),
                 at,
             },
             names: HashMap::new(),
@@ -286,13 +285,6 @@ impl<'t, 'f> Builder<'t, 'f> {
     pub fn kind_here(&self) -> Option<UnitKind> {
         let unit = self.current.and_then(|unit| self.drafts.get(unit));
         unit.map(|draft| draft.unit.kind)
-    }
-
-    /// Asks for the numbers of labels: of each the statement before which it stands, and its number.
-    pub fn wish_labels(&mut self, unit: u32, wished: Vec<(u32, u8)>) {
-        if let Some(draft) = self.drafts.get_mut(unit as usize) {
-            draft.unit.labels = wished;
-        }
     }
 
     /// Gives a unit its statements.

@@ -98,7 +98,8 @@ one_of! {
     Edge as "Edge" { "rising" => Edge::Rising, "falling" => Edge::Falling }
     #[cfg(feature = "full")]
     As as "As" {
-        "ladder" => As::Ladder, "il" => As::Il, "st" => As::St, "numeric" => As::Numeric, "svg" => As::Svg, "xml" => As::Xml,
+        "ladder" => As::Ladder, "il" => As::Il, "st" => As::St, "numeric" => As::Numeric, "svg" => As::Svg,
+        "picture" => As::Picture, "svg-fbd" => As::SvgFbd, "xml" => As::Xml, "xml-fbd" => As::XmlFbd,
     }
     #[cfg(feature = "full")]
     WriteAs as "DrawnAs" { "numeric" => WriteAs::Numeric, "il" => WriteAs::Il }

@@ -47,7 +47,8 @@ function card(tools: RemoteTools, languages: readonly Example[], choose: (exampl
   const [first] = languages;
   if (!first) return h("li");
   const [title, more] = titleOf(told(first.about));
-  return h("li", { class: "card gallery-card" }, picture(tools, { name: first.name, text: first.text }, ""), h("h3", {}, title), h("p", { class: "note" }, more),
+  return h("li", { class: "card gallery-card" },
+    h("div", { class: "gallery-picture" }, picture(tools, { name: first.name, text: first.text }, "")), h("h3", {}, title), h("p", { class: "note" }, more),
     h("div", { class: "row" }, ...languages.map((example) => h("button", { type: "button", class: "small", "data-example": example.name, click: () => choose(example) }, example.name))));
 }
 

@@ -8,7 +8,7 @@ import { showColumn } from "./column";
 import { type ProgramDocument, stemOf } from "./document";
 import { byId, h } from "./dom";
 import { keep, kept } from "./kept";
-import { picture } from "./picture";
+import { readable } from "./picture";
 import { Verdict } from "./verdict";
 
 interface Lesson {
@@ -90,7 +90,7 @@ export class Lessons {
       const text = figure.textContent ?? "";
       const end = figure.dataset["end"];
       if (end === undefined) {
-        figure.replaceChildren(picture(this.tools, last, text));
+        figure.replaceChildren(readable(this.tools, last, text));
         continue;
       }
       const own = { name: `${stemOf(lesson.name)}.${end}`, text };

@@ -10,7 +10,7 @@ import type { ProgramDocument } from "./document";
 import { byId, h } from "./dom";
 import { download, pick } from "./files";
 import { later } from "./later";
-import { looks } from "./look";
+import { blocks, looks } from "./look";
 import { type Row, elementsOf, entry, menu } from "./menu";
 import { note } from "./notes";
 import { isLetter } from "./paper";
@@ -127,7 +127,7 @@ function files({ program, open, take, slot, remote, goTo, showPrograms }: Parts)
     { id: "share", say: "share", act: () => void shareLink(program) },
     "line",
     { id: "save-code", say: "saveCode", when, act: () => download("PROGRAM.TXT", code ?? "") },
-    { id: "save-drawing", say: "saveDrawing", when, act: () => void asked(remote.ask("list", { ...shown, as: "svg" }), (svg) => download(`${stem}.svg`, svg, SVG)) },
+    { id: "save-drawing", say: "saveDrawing", when, act: () => void asked(remote.ask("list", { ...shown, as: blocks.value ? "svg-fbd" : "svg" }), (svg) => download(`${stem}.svg`, svg, SVG)) },
     {
       id: "save-pages",
       say: "savePages",
@@ -136,8 +136,8 @@ function files({ program, open, take, slot, remote, goTo, showPrograms }: Parts)
         pages.forEach((page, at) => download(`${stem}-${at + 1}.svg`, page, SVG));
       }),
     },
-    { id: "make-project", say: "makeProject", when: () => code !== undefined && !text.name.endsWith(".xml"), act: () => void asked(remote.ask("list", { ...shown, as: "xml" }), (xml) => open({ name: `${stem}.xml`, text: xml })) },
-    { id: "save-project", say: "saveProject", when, act: () => void asked(remote.ask("list", { ...shown, as: "xml" }), (xml) => download(`${stem}.xml`, xml, "application/xml")) },
+    { id: "make-project", say: "makeProject", when: () => code !== undefined && !text.name.endsWith(".xml"), act: () => void asked(remote.ask("list", { ...shown, as: blocks.value ? "xml-fbd" : "xml" }), (xml) => open({ name: `${stem}.xml`, text: xml })) },
+    { id: "save-project", say: "saveProject", when, act: () => void asked(remote.ask("list", { ...shown, as: blocks.value ? "xml-fbd" : "xml" }), (xml) => download(`${stem}.xml`, xml, "application/xml")) },
     {
       id: "save-card",
       say: "saveCard",

@@ -62,9 +62,11 @@ export function showPrograms(program: ProgramDocument, tools: RemoteTools, goTo:
           })), before);
     }));
   };
+  // In the menu it has dots, for it opens this.
+  const title = say("programs").replace("…", "");
   const close = h("button", { type: "button", class: "quiet", "aria-label": say("close"), click: () => shown.close() }, "×");
-  const shown = h("dialog", { id: "programs-list", class: "gallery", "aria-label": say("programs") },
-    h("div", { class: "row gallery-head" }, h("h2", {}, say("programs")), h("span", { style: "flex:1" }), close), list, said);
+  const shown = h("dialog", { id: "programs-list", class: "gallery", "aria-label": title },
+    h("div", { class: "row gallery-head" }, h("h2", {}, title), h("span", { style: "flex:1" }), close), list, said);
   build();
   shown.addEventListener("close", () => shown.remove());
   document.body.append(shown);

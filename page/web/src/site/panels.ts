@@ -1,4 +1,4 @@
-// Panels: what stands on them, moving, and what may be set there.
+// Panels: what is on them, moving, and what may be set there.
 
 import { h } from "../page/dom";
 import { announce, note } from "../page/notes";

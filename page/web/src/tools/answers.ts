@@ -100,7 +100,7 @@ export interface ChartDrawn {
   readonly unit: string;
   /** The element. */
   readonly svg: string;
-  /** What stands on it, from top to bottom along its lines. */
+  /** What is on it, from top to bottom along its lines. */
   readonly parts: readonly ChartPart[];
   /** The points of each step: whether it is active, and its time; none while the text is no program. */
   readonly points: readonly (readonly [string | null, string | null])[];

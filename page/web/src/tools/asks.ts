@@ -13,7 +13,7 @@ export type Coil = "normal" | "negated" | "set" | "reset" | "load";
 
 export type Edge = "rising" | "falling";
 
-export type As = "ladder" | "il" | "st" | "numeric" | "svg" | "xml";
+export type As = "ladder" | "il" | "st" | "numeric" | "svg" | "picture" | "svg-fbd" | "xml" | "xml-fbd";
 
 export type DrawnAs = "numeric" | "il";
 

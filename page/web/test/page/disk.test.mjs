@@ -8,13 +8,20 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { built, serve } from "../../serve.mjs";
-import { PATIENCE, lamp, launch, run, state, type, pick } from "./harness.mjs";
+import { PATIENCE, keptText, lamp, launch, pick, run, state, type } from "./harness.mjs";
+
+/** The page as a folder and as one file: as they were built, or as `cargo xtask dist --prove` hands them out. */
+const FOLDER = process.env["PAGE_FOLDER"] ?? built;
+const FILE = process.env["PAGE_FILE"] ?? join(built, "unoclp.html");
 
 /** What the single file may weigh, bytes: what a mail takes. */
 const MOST = 6_000_000;
 
 /** The machine of the first visit leaves this lamp alone. */
 const TEXT = "PROGRAM porta\nVAR\n  i AT %IX1 : BOOL;\n  q AT %QX4 : BOOL;\nEND_VAR\nq := NOT i;\nEND_PROGRAM\n";
+
+/** What is kept over a reload. */
+const KEPT = "LDN I1\nST Q4\n";
 
 /** @type {import("playwright-core").Browser} */
 let browser;
@@ -68,7 +75,7 @@ async function use(page) {
   await pick(page, "#machines");
   await page.locator("#gallery img[src^=data]").first().waitFor();
   await page.click("#gallery-close");
-  await type(page, "LDN I1\nST Q4\n", "porta.il");
+  await type(page, KEPT, "porta.il");
   await page.click("#view-draw");
   await page.locator("#sheet .rung").first().waitFor();
   await page.locator('style[data-sheet="draw.css"]').waitFor({ state: "attached" });
@@ -77,12 +84,15 @@ async function use(page) {
   await page.reload();
   await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
   assert.equal(await page.inputValue("#name"), "porta.il");
+  assert.equal(await keptText(page), KEPT);
+  await run(page);
+  await lamp(page, 4, true);
 }
 
 test("the folder opens by a double click, without a network", async () => {
   const at = join(folder, "Sala de automação");
   mkdirSync(at);
-  cpSync(built, at, { recursive: true });
+  cpSync(FOLDER, at, { recursive: true });
   const { page, wrong } = await open(join(at, "index.html"));
   assert.match(page.url(), /Sala%20de%20automa%C3%A7%C3%A3o\/unoclp\.html$/);
   await use(page);
@@ -92,7 +102,7 @@ test("the folder opens by a double click, without a network", async () => {
 
 test("one file alone is the whole page, and small enough for a mail", async () => {
   const file = join(folder, "página da turma (1).html");
-  copyFileSync(join(built, "unoclp.html"), file);
+  copyFileSync(FILE, file);
   assert.ok(statSync(file).size <= MOST, `${statSync(file).size} bytes`);
   const { page, wrong } = await open(file);
   await use(page);

@@ -84,6 +84,22 @@ test("a tab that was duplicated has a place of its own", async () => {
   await one.context().close();
 });
 
+test("a program that is open in one tab is opened in another, and each goes on by itself", async () => {
+  const one = await lab.still();
+  await type(one, "LD I1\nST Q3\n", "mine.il");
+  const two = await tab(one);
+  await type(two, "LD I2\nST Q2\n", "yours.il");
+  await pick(two, "#programs");
+  await two.locator('#programs-list [data-program="mine.il"]').getByRole("button", { name: "Open: mine.il" }).click();
+  await two.locator(".cm-content", { hasText: "LD I1" }).waitFor();
+  await type(two, "LD I4\nST Q4\n");
+  await type(one, "LD I5\nST Q3\n");
+  for (const page of [one, two]) await reload(page);
+  assert.match(await text(one), /LD I5ST Q3/);
+  assert.match(await text(two), /LD I4ST Q4/);
+  await one.context().close();
+});
+
 test("the program and the board of version 0.2.0 are still there", async () => {
   const page = await lab.other({}, { program: JSON.stringify({ name: "old.il", text: "LD I3\nST Q3\n" }), view: "both", theme: "dark", speak: "pt" });
   assert.equal(await page.inputValue("#name"), "old.il");

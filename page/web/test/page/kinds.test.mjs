@@ -41,7 +41,7 @@ async function exercise(page, number) {
 
 test("a fault is looked for: pressed, forced, watched, and named from lists", async () => {
   const page = await lab.open();
-  await exercise(page, 44);
+  await exercise(page, 48);
   assert.equal(await page.locator("#exercise-list option:checked").evaluate((option) => option.closest("optgroup")?.label), "Find the fault");
   await page.locator("#exercise h3 .chip", { hasText: "Find the fault" }).waitFor();
   await page.locator("#find-part").waitFor();
@@ -87,7 +87,7 @@ test("a fault is looked for: pressed, forced, watched, and named from lists", as
 
 test("a program is written again in another language, the given one beside", async () => {
   const page = await lab.still();
-  await exercise(page, 47);
+  await exercise(page, 51);
   await page.locator("#given .ladder [data-point=\"Q2\"]").first().waitFor();
   await page.locator("#given", { hasText: "Write it in Structured Text." }).waitFor();
   const check = async (/** @type {string} */ path) => {
@@ -104,7 +104,7 @@ test("a program is written again in another language, the given one beside", asy
   await page.locator("#verdict.good").waitFor();
   assert.deepEqual(await findings(page), []);
   await shots(page, "write", "#given");
-  await page.selectOption("#exercise-list", { index: 47 });
+  await page.selectOption("#exercise-list", { index: 51 });
   await page.locator("#given pre", { hasText: "PROGRAM voting" }).waitFor();
   await page.click("#exercise-begin");
   assert.equal(await page.inputValue("#name"), "02-into-ladder.il");
@@ -120,7 +120,7 @@ const seen = (page, around) => page.waitForFunction((around) => {
   const box = document.querySelector(around)?.getBoundingClientRect();
   if (!box) return false;
   const [top, bottom] = [Math.max(box.top, 0), Math.min(box.bottom, innerHeight)];
-  const parts = ["#replay-picture", "#replay-play", "#replay .diagram svg"].map((part) => document.querySelector(part)?.getBoundingClientRect());
+  const parts = ["#replay-picture", "#replay-play", "#replay .diagram"].map((part) => document.querySelector(part)?.getBoundingClientRect());
   return parts.every((part) => part && part.height > 0 && part.top >= top - 1 && part.bottom <= bottom + 1);
 }, around);
 
@@ -132,7 +132,10 @@ test("what went wrong with a machine is seen again from two seconds before, with
   await page.locator("#machine-verdict.bad", { hasText: "at 47 s" }).waitFor();
   await seen(page, "#exercise");
   const diagram = page.locator("#replay .diagram svg");
-  await diagram.getByText("I1", { exact: false }).first().waitFor();
+  const name = diagram.getByText("I1", { exact: false }).first();
+  await name.waitFor();
+  // It is as large as it is read; of many lanes the others are scrolled to.
+  assert.ok(await name.evaluate((text) => (/** @type {SVGTextElement} */ (text).getScreenCTM()?.a ?? 0) >= 0.95));
   // By the keyboard to its beginning, which is two seconds before.
   await page.focus("#replay-time");
   await page.keyboard.press("Home");

@@ -157,3 +157,94 @@ test("a plain file becomes a project", async () => {
   await page.locator("#problem-count.good").waitFor();
   await page.context().close();
 });
+
+test("a variable that is renamed in the table is so in the whole project", async () => {
+  const page = await begun();
+  await write(page, "halt", "name", "stop_now");
+  await has(page, "Ready(start, stop_now)");
+  await has(page, "stop := stop_now, on");
+  await page.locator("#problem-count:not(.bad)").waitFor();
+  // The input of a block, by a call in another unit.
+  await open(page, "Latch");
+  await write(page, "go", "name", "begin_it");
+  await has(page, "hold(begin_it := start");
+  await has(page, "<variable>begin_it</variable>");
+  // A name that another has and a keyword are told, and stand there no longer.
+  for (const [name, told] of [["stop", "already used"], ["END_IF", "cannot be a name"]]) {
+    await write(page, "begin_it", "name", name ?? "");
+    await page.locator("#notes", { hasText: told }).waitFor();
+    assert.equal(await field(page, "begin_it", "name").inputValue(), "begin_it");
+  }
+  await page.click("#project-undo");
+  await page.click("#project-undo");
+  await page.locator("#project-undo:disabled").waitFor();
+  assert.equal(await keptText(page), FIVE.toString());
+  await page.context().close();
+});
+
+/** Waits for so many elements of a kind. @param {Page} page @param {string} kind @param {number} count */
+const counted = (page, kind, count) => page.waitForFunction(([kind, count]) => document.querySelectorAll(`#unit-sheet .${kind}`).length === count, /** @type {const} */ ([kind, count]));
+
+test("new elements are drawn in a ladder and in a block diagram of the project, by mouse and by keyboard", async () => {
+  const page = await begun();
+  await open(page, "Latch");
+  await page.click('#unit-sheet [data-id="4"]');
+  await page.click('#unit-palette [data-what="contact"]');
+  await counted(page, "contact", 4);
+  await page.locator('#unit-sheet .selected[data-id="7"]').waitFor();
+  // By keys: in parallel, its variable, then away again and back.
+  await page.keyboard.press("Shift+C");
+  await counted(page, "contact", 5);
+  await page.locator('#unit-sheet .selected[data-id="8"]').waitFor();
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Control+A");
+  await page.keyboard.type("on");
+  await page.keyboard.press("Enter");
+  await page.locator("#unit-sheet:focus").waitFor();
+  await page.keyboard.press("Delete");
+  await counted(page, "contact", 4);
+  await page.keyboard.press("Control+Z");
+  await counted(page, "contact", 5);
+  await page.keyboard.press("Control+Y");
+  await counted(page, "contact", 4);
+  await page.selectOption("#unit-others", "SR");
+  await has(page, '<variable name="SR_1"><type><derived name="SR"/></type></variable>');
+  await page.click("#project-undo");
+  await page.click("#unit-below");
+  await counted(page, "coil", 2);
+  await page.click("#project-undo");
+  // A block diagram: the lamp is on with either button, negated.
+  await open(page, "Pair");
+  await page.click('#unit-sheet [data-id="3"]');
+  await page.focus("#unit-sheet");
+  await page.keyboard.press("!");
+  await counted(page, "block", 2);
+  await page.click('#unit-sheet [data-id="3"]');
+  await page.selectOption("#unit-where", "before");
+  await page.click('#unit-palette [data-what="value"]');
+  await has(page, 'formalParameter="IN3"');
+  await page.locator("#problem-count:not(.bad)").waitFor();
+  const saved = page.waitForEvent("download");
+  await pick(page, "#save-file");
+  const file = readFileSync(await (await saved).path());
+  assert.ok(file.toString().includes("a comment of the author's"));
+  await pick(page, "#new-file");
+  await choose(page, "again.xml", file);
+  await page.locator("#project-pane").waitFor();
+  await run(page);
+  // Not both buttons: the third lamp, which showed the AND, is on now.
+  await holding(page, 1, () => lamp(page, 3, true));
+  await page.context().close();
+});
+
+test("a mistake of a chart stands at its part", async () => {
+  const page = await begun();
+  await page.click('#project-body [data-id="t1"]');
+  await mouse.write(page, "#chart-condition", "nobody");
+  await page.locator('#project-body .wrong[data-id="t1"]').waitFor();
+  await page.locator("#chart-form .error").waitFor();
+  assert.equal(await page.locator("#project-body [data-id].wrong").count(), 1);
+  await page.click("#project-undo");
+  await page.locator("#project-body .wrong").waitFor({ state: "detached" });
+  await page.context().close();
+});

@@ -75,10 +75,25 @@ function difference(one, other) {
   }, /** @type {const} */ ([[one.toString("base64"), other.toString("base64")], BLOCK, OFF]));
 }
 
+/** What is written on a screen is as large as this, CSS pixels. */
+const LEAST = 12;
+
+/** What is in view and smaller, by its text and size: of a drawing as it is shown. A picture of a machine is a picture.
+ * @param {Page} page */
+const tiny = (page) => page.evaluate((least) => [...document.querySelectorAll("body *:not(.machine-picture *, script, style, option)")].flatMap((one) => {
+  const text = [...one.childNodes].filter((node) => node.nodeType === Node.TEXT_NODE).map((node) => node.textContent).join("").trim();
+  const { left, right, top, bottom, width } = one.getBoundingClientRect();
+  if (text === "" || width < 2 || !one.checkVisibility({ visibilityProperty: true }) || right < 0 || left > innerWidth || bottom < 0 || top > innerHeight) return [];
+  const scale = one instanceof SVGGraphicsElement ? (one.getScreenCTM()?.a ?? 1) : 1;
+  const size = parseFloat(getComputedStyle(one).fontSize) * scale;
+  return size < least - 0.05 ? [`${text.slice(0, 30)}: ${size.toFixed(1)} px`] : [];
+}), LEAST);
+
 for (const state of STATES) {
   test(`the page looks as it did: ${state.name}`, async () => {
     const page = state.kept ? await lab.other(state.options, state.kept) : (await newcomer(lab, state.options)).page;
     await reach(page, state);
+    assert.deepEqual(await tiny(page), []);
     const png = await page.screenshot({ animations: "disabled", caret: "hide", path: join(pictures, `state-${state.name}.png`) });
     await page.context().close();
     const now = await small(png);

@@ -33,9 +33,16 @@ for (const locale of /** @type {const} */ (["en-US", "pt-BR"])) {
     for (;;) {
       const title = await lesson.locator("h3").textContent();
       assert.doesNotMatch((await lesson.locator(".words").textContent()) ?? "", /unoclp \w|cargo/, title ?? "");
-      for (const picture of await lesson.locator(".rungs img").all()) {
-        await picture.evaluate((/** @type {HTMLImageElement} */ image) => image.src ? image.decode() : new Promise((done) => image.addEventListener("load", done)));
-        assert.ok(await picture.evaluate((/** @type {HTMLImageElement} */ image) => image.naturalWidth > 200), title ?? "");
+      for (const figure of await lesson.locator(".rungs").all()) {
+        const picture = figure.locator("svg.ladder");
+        await picture.locator(".rung").first().waitFor();
+        // It fits its column, and what is written in it is read.
+        assert.ok(await picture.evaluate((svg) => {
+          const text = /** @type {SVGTextElement} */ (svg.querySelector("text.point"));
+          const height = parseFloat(getComputedStyle(text).fontSize) * (text.getScreenCTM()?.a ?? 0);
+          const paper = /** @type {Element} */ (svg.parentElement);
+          return height >= 12 && paper.scrollWidth <= paper.clientWidth;
+        }), title ?? "");
         pictures += 1;
       }
       for (const listing of await lesson.locator(".listing").all()) {
@@ -56,7 +63,7 @@ for (const locale of /** @type {const} */ (["en-US", "pt-BR"])) {
 test("a step is drawn from an empty sheet, and axe-core finds nothing in it", async () => {
   const page = await lab.still();
   await pick(page, "#lessons");
-  await page.locator("#lesson .rungs img").first().waitFor();
+  await page.locator("#lesson .rungs svg.ladder").first().waitFor();
   assert.deepEqual(await findings(page), []);
   await page.getByRole("button", { name: WORDS["en-US"].draw }).click();
   await page.locator("#sheet .rung").first().waitFor();

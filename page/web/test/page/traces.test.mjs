@@ -16,7 +16,7 @@ const SPAN = 600_000;
 test("each machine has the trace that it has natively", async () => {
   const module = await load("unoclp-full.wasm");
   const lines = file("tools/exercise/tests/traces.txt").trim().split("\n");
-  assert.equal(lines.length, 16);
+  assert.equal(lines.length, 18);
   for (const line of lines) {
     const [name = "", trace] = line.split(" ");
     const request = { ask: "trace", of: { name: `${name}.st`, text: file(`programs/plants/${name}.st`) }, plant: `${name}.toml`, plantText: file(`programs/plants/${name}.toml`), ms: SPAN };

@@ -4,7 +4,7 @@
 //! outputs they give the machine the same trace, so that one machine serves for both. On the core all of them pass to the
 //! end of their scripts (`tools/exercise/tests/it/plants.rs`); here their first seconds are compared.
 
-use crate::common;
+use crate::{BOARD, common};
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_core::{Board, Millis};
@@ -26,7 +26,7 @@ fn folder() -> PathBuf {
 /// A machine with its model solution.
 type Solved = (String, Plant, Vec<u8>);
 
-/// The machines of the exercises that are none of the gallery, each with the model solution of its exercise.
+/// The machines of the exercises for this board that are none of the gallery, each with the model solution of its exercise.
 fn of_exercises() -> Vec<Solved> {
     let folder = folder().join("../exercises");
     let entries = fs::read_dir(&folder).unwrap();
@@ -35,23 +35,23 @@ fn of_exercises() -> Vec<Solved> {
     files.sort();
     let load = |file: PathBuf| {
         let exercise = Exercise::load(&file, Board::UNO).unwrap();
-        let plant = exercise
-            .plant
-            .filter(|plant| plant.starts_with(folder.join("machines")))?;
-        let plant = read(&fs::read_to_string(&plant).unwrap(), Board::UNO);
+        let plant = exercise.plant.filter(|plant| {
+            exercise.board == BOARD && plant.starts_with(folder.join("machines"))
+        })?;
+        let plant = read(&fs::read_to_string(&plant).unwrap(), BOARD);
         let program = exercise.program.unwrap();
         Some((plant.unwrap(), program))
     };
     let solved = |(plant, program): (Plant, PathBuf)| {
         let name = program.display().to_string();
-        let written = Written::new(name.clone(), fs::read(&program).unwrap(), Board::UNO);
+        let written = Written::new(name.clone(), fs::read(&program).unwrap(), BOARD);
         let source = written.check(None).unwrap_or_else(|_| panic!("{name}"));
         (name, plant, source.code)
     };
     files.into_iter().filter_map(load).map(solved).collect()
 }
 
-/// Each machine of the gallery with its model solution.
+/// Each machine of the gallery that is wired to this board, with its model solution.
 fn plants() -> Vec<Solved> {
     let entries = fs::read_dir(folder()).unwrap();
     let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
@@ -59,16 +59,20 @@ fn plants() -> Vec<Solved> {
     files.sort();
     let load = |file: PathBuf| {
         let plant = read(&fs::read_to_string(&file).unwrap(), Board::UNO);
+        let plant = plant.unwrap_or_else(|_| panic!("{file:?}"));
+        if plant.board != BOARD {
+            return None;
+        }
         let model = file.with_extension("st");
         let name = model.display().to_string();
-        let written = Written::new(name.clone(), fs::read(&model).unwrap(), Board::UNO);
+        let written = Written::new(name.clone(), fs::read(&model).unwrap(), BOARD);
         let code = written
             .check(None)
             .unwrap_or_else(|_| panic!("{name}"))
             .code;
-        (name, plant.unwrap_or_else(|_| panic!("{file:?}")), code)
+        Some((name, plant, code))
     };
-    files.into_iter().map(load).collect()
+    files.into_iter().filter_map(load).collect()
 }
 
 /// Compares the firmware with the core for so long, ms.
@@ -76,7 +80,7 @@ fn compare<S: Simulated>(plants: &[Solved], span: u64) {
     let mut uno = FirmwareEngine::<S>::new(common::firmware(), Clock::Lockstep).unwrap();
     let mut moved = 0;
     for (name, plant, code) in plants {
-        let mut core = HostEngine::new(Board::UNO);
+        let mut core = HostEngine::new(BOARD);
         assert_eq!(core.load(code), Ok(Ok(())), "{name}");
         uno.load(code)
             .unwrap()
@@ -120,14 +124,14 @@ fn compare<S: Simulated>(plants: &[Solved], span: u64) {
 #[test]
 fn the_firmware_controls_machines_as_the_core_does() {
     let plants = plants();
-    assert_eq!(plants.len(), 16);
+    assert_eq!(plants.len(), if BOARD == Board::UNO { 16 } else { 2 });
     compare::<Uno>(&plants, 6000);
 }
 
 #[test]
 fn the_firmware_controls_the_machines_of_the_exercises() {
     let plants = of_exercises();
-    assert_eq!(plants.len(), 28);
+    assert_eq!(plants.len(), if BOARD == Board::UNO { 28 } else { 2 });
     compare::<Uno>(&plants, 2500);
 }
 

@@ -19,6 +19,8 @@ mod kept;
 mod lines;
 #[path = "../it/live.rs"]
 mod live;
+#[path = "../it/machines.rs"]
+mod machines;
 #[path = "../it/modbus.rs"]
 mod modbus;
 #[path = "../it/modbus_boundaries.rs"]

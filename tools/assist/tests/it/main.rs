@@ -5,3 +5,4 @@ mod names;
 mod projects;
 mod remedies;
 mod texts;
+mod twins;

@@ -155,7 +155,7 @@ fn a_project_with_mistakes_is_helped_too() {
 #[test]
 fn projects_keep_their_codes_under_other_names() {
     let mut random = Random(36);
-    let [mut new, mut taken, mut twins] = [0, 0, 0];
+    let [mut new, mut taken] = [0, 0];
     for (from, text) in projects() {
         let before = project(&text);
         let analysis = opened(&before);
@@ -165,21 +165,8 @@ fn projects_keep_their_codes_under_other_names() {
         let all = symbols(&before);
         for (at, symbol) in all.iter().enumerate() {
             let edits = rename(&analysis, symbol.at.start, &format!("xq{at}"));
-            let edits = match edits {
-                Ok(edits) => edits,
-                // A unit and a variable in it have one name: what is meant by it is not certain everywhere.
-                Err(NoRename::Another(_))
-                    if all
-                        .iter()
-                        .filter(|one| one.name.eq_ignore_ascii_case(&symbol.name))
-                        .count()
-                        > 1 =>
-                {
-                    twins += 1;
-                    continue;
-                }
-                Err(why) => panic!("{from} {}: {why:?}\n{text}", symbol.name),
-            };
+            let edits =
+                edits.unwrap_or_else(|why| panic!("{from} {}: {why:?}\n{text}", symbol.name));
             assert!(
                 edits.iter().any(|edit| edit.span == symbol.at),
                 "{from} {}",
@@ -202,10 +189,7 @@ fn projects_keep_their_codes_under_other_names() {
             }
         }
     }
-    assert!(
-        new > 300 && taken > 0 && twins < 20,
-        "{new} {taken} {twins}"
-    );
+    assert!(new > 300 && taken > 0, "{new} {taken}");
 }
 
 /// At every byte of a project all is asked, in whatever state its text is.

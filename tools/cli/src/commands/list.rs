@@ -33,8 +33,10 @@ pub fn list(
 ) -> Outcome {
     let look = form.look();
     match &picture {
-        Some(_) if form != Form::Ladder && look.is_none() => bail!(messages::svg_is_a_ladder()),
-        Some(picture) if picture.paper.is_some() && look.is_some() => {
+        Some(_) if !matches!(form, Form::Ladder | Form::Fbd) && look.is_none() => {
+            bail!(messages::svg_is_a_ladder())
+        }
+        Some(picture) if picture.paper.is_some() && form != Form::Ladder => {
             bail!(messages::paper_is_a_ladder())
         }
         _ => {}
@@ -46,16 +48,16 @@ pub fn list(
         return charts(path, &program, look, picture.as_ref());
     }
     if let Some(picture) = picture {
-        return draw(path, &program, &picture, width);
+        return draw(path, &program, &picture, (form, width));
     }
     let Some(listed) = form.listed() else {
-        return Ok(project(&program));
+        return Ok(project(&program, form.body()));
     };
     let lang = messages::spoken();
     let listing = listing::list(&program, listed, width, lang);
     let listing = listing.map_err(|refused| anyhow!(said(&refused, lang)))?;
     match form {
-        Form::Ladder => print!("{}", ascii::picture(&listing)),
+        Form::Ladder | Form::Fbd => print!("{}", ascii::picture(&listing)),
         // These are programs, whose characters stay as they are.
         _ => print!("{}", harmless_lines(&listing)),
     }
@@ -91,9 +93,15 @@ fn charts(
 }
 
 /// Draws a program into a file, or its pages into as many.
-fn draw(path: &Path, program: &Source, picture: &Picture<'_>, width: usize) -> Outcome {
+fn draw(
+    path: &Path,
+    program: &Source,
+    picture: &Picture<'_>,
+    (form, width): (Form, usize),
+) -> Outcome {
     let lang = messages::spoken();
     let pages = match picture.paper {
+        None if form == Form::Fbd => vec![listing::svg_of_blocks(program, lang)],
         None => vec![listing::svg(program, width, lang)],
         Some(paper) => listing::pages(program, width, paper, picture.title, lang),
     };
@@ -138,8 +146,8 @@ fn said(refused: &Diagnostic, lang: Lang) -> String {
 }
 
 /// Prints a program as a project in PLCopen XML, or why it is none.
-fn project(program: &Source) -> bool {
-    let project = listing::plcopen(program);
+fn project(program: &Source, body: listing::Body) -> bool {
+    let project = listing::plcopen(program, body);
     let told = match &project {
         Ok(project) => &project.beyond,
         Err(lost) => lost,

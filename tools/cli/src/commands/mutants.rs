@@ -30,7 +30,8 @@ pub fn find_mutants(path: &Path, wording: &Wording) -> Outcome {
     };
     let program = ProgramFile::read(file).map_err(|why| anyhow!(unreadable(&shown(file), &why)))?;
     let written = wording.of(program.name, program.bytes);
-    let Ok(source) = written.check(None) else {
+    let analysis = wording.workspace().open(written);
+    let Some(source) = analysis.source() else {
         bail!(messages::model_faulty(shown(file)));
     };
     let found = passing(&exercise, plant.as_ref(), &source.code, board);

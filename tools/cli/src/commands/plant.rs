@@ -162,6 +162,15 @@ fn span(text: Option<&str>, until: u64) -> anyhow::Result<(u64, u64)> {
 /// Before a rule breaks, this is seen too, ms.
 const BEFORE: u64 = 2000;
 
+/// Whether a board has all points that another one has.
+fn has_points_of(board: Board, other: Board) -> bool {
+    let points = |board: Board| [board.inputs, board.outputs, board.analogue];
+    points(board)
+        .iter()
+        .zip(points(other))
+        .all(|(has, needs)| *has >= needs)
+}
+
 /// Lets a program control a machine.
 pub fn drive(
     program: &Path,
@@ -176,12 +185,17 @@ pub fn drive(
     let Some(plant) = machine(path, wording.board())? else {
         return Ok(false);
     };
+    // A machine that names a board is driven by a program for that.
+    let wording = &match wording.names_board() {
+        true => wording.clone(),
+        false => wording.on(plant.board),
+    };
+    if !has_points_of(wording.board(), plant.board) {
+        bail!(messages::plant_board(shown(path), plant.board.id()));
+    }
     let Some(source) = open(program, wording, Shown::Here)? else {
         return Ok(false);
     };
-    if plant.board == Board::PC && wording.board() != Board::PC {
-        bail!(messages::plant_board(shown(path), plant.board.id()));
-    }
     let inputs = [program, path];
     let until = plant.until;
     let wanted = machine_of

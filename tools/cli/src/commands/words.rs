@@ -77,8 +77,12 @@ pub enum Form {
     Sfc,
     /// Its charts, as GRAFCET (IEC 60848) draws them
     Grafcet,
+    /// A function block diagram
+    Fbd,
     /// A project in PLCopen XML, for OpenPLC Editor and others
     Xml,
+    /// The same with its program in FBD
+    XmlFbd,
 }
 
 impl Form {
@@ -88,7 +92,7 @@ impl Form {
         match self {
             Form::Sfc => Some(Look::Norm),
             Form::Grafcet => Some(Look::Grafcet),
-            Form::Ladder | Form::Il | Form::St | Form::Numeric | Form::Xml => None,
+            _ => None,
         }
     }
 
@@ -100,7 +104,16 @@ impl Form {
             Form::Il => Some(Listed::Il),
             Form::St => Some(Listed::St),
             Form::Numeric => Some(Listed::Numeric),
-            Form::Xml | Form::Sfc | Form::Grafcet => None,
+            Form::Fbd => Some(Listed::Blocks),
+            Form::Xml | Form::XmlFbd | Form::Sfc | Form::Grafcet => None,
+        }
+    }
+
+    /// How its ladder is drawn in a project.
+    pub fn body(self) -> unoclp_program::list::Body {
+        match self {
+            Form::XmlFbd => unoclp_program::list::Body::Blocks,
+            _ => unoclp_program::list::Body::Ladder,
         }
     }
 }

@@ -542,11 +542,11 @@ unoclp_words::messages! {
     machine_passed() "the machine does what it should: PASS" "a máquina faz o que deve: PASSOU";
     machine_failed() "the machine does not do what it should: FAIL" "a máquina não faz o que deve: FALHOU";
     svg_is_a_ladder()
-        "--svg draws a ladder diagram, or a chart with --as sfc or grafcet; leave out --as, or --svg"
-        "--svg desenha um diagrama ladder, ou um SFC com --as sfc ou grafcet; tire --as ou --svg";
+        "--svg draws a ladder diagram, with --as fbd a block diagram, with --as sfc or grafcet a chart; leave out --as, or --svg"
+        "--svg desenha um diagrama ladder, com --as fbd um diagrama de blocos, com --as sfc ou grafcet um SFC; tire --as ou --svg";
     paper_is_a_ladder()
-        "--paper prints a ladder diagram; leave out --paper to draw a chart"
-        "--paper imprime um diagrama ladder; tire --paper para desenhar um SFC";
+        "--paper prints a ladder diagram; leave out --paper to draw blocks or a chart"
+        "--paper imprime um diagrama ladder; tire --paper para desenhar blocos ou um SFC";
     no_chart()
         "the program has no chart; leave out --as to see its ladder diagram"
         "o programa não tem SFC; tire --as para ver o diagrama ladder";

@@ -114,6 +114,20 @@ fn class(folder: &Path) -> PathBuf {
 }
 
 #[test]
+fn a_class_is_graded_in_the_dialect_that_is_said() {
+    let folder = folder("exercise-dialect");
+    let exercise = put(&folder, "lamp.toml", EXERCISE);
+    let program = put(&folder, "ana.il", "LD X0\nOR Y0\nANI X1\nOUT Y0\n");
+    let (code, out, err) = outcome(&["grade", &exercise, &program]);
+    assert_eq!(code, 0, "{out}{err}");
+    // In IEC's words X0 is no input.
+    for (dialect, is_passed) in [("mitsubishi", true), ("iec", false)] {
+        let (code, out, _) = outcome(&["grade", &exercise, &program, "--dialect", dialect]);
+        assert_eq!(code == 0, is_passed, "{dialect}: {out}");
+    }
+}
+
+#[test]
 fn a_class_is_graded_and_what_is_wrong_is_a_row() {
     let folder = folder("grade-class");
     let exercise = folder.join("lamp.toml");

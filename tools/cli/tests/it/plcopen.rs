@@ -93,3 +93,35 @@ fn the_units_of_a_project_are_listed_in_the_words_of_the_norm() {
     assert_eq!(code, 1);
     assert!(out.contains("error[XML-501]"), "{out}");
 }
+
+#[test]
+fn a_program_is_listed_as_blocks_and_as_a_project_in_fbd() {
+    let program = file(
+        "to-blocks.txt",
+        "0\n827301\n40\n827901\n41\n-827302\n877901\n",
+    );
+    let (code, drawn, errors) = outcome(&["list", &program, "--as", "fbd"]);
+    assert_eq!((code, errors.as_str()), (0, ""), "{drawn}");
+    assert!(drawn.contains("≥1") && drawn.contains('&'), "{drawn}");
+    let (code, project, errors) = outcome(&["list", &program, "--as", "xml-fbd"]);
+    assert_eq!((code, errors.as_str()), (0, ""), "{project}");
+    assert!(
+        project.contains("<FBD>") && !project.contains("<contact"),
+        "{project}"
+    );
+    let project = file("in-blocks.xml", &project);
+    let codes = outcome(&["compile", &project]).1;
+    let codes: Vec<&str> = codes
+        .lines()
+        .filter_map(|line| line.split('/').next()?.split_whitespace().next())
+        .collect();
+    assert_eq!(
+        codes,
+        ["0", "827301", "40", "827901", "41", "-827302", "877901"]
+    );
+    // What a block diagram has no form for is named, and stands in LD or a list.
+    let program = file("no-blocks.txt", "0\n827301\n7370\n877901\n697868\n");
+    let (code, project, errors) = outcome(&["list", &program, "--as", "xml-fbd"]);
+    assert!(code == 0 && project.contains("<IL>"), "{project}");
+    assert!(errors.contains("XML-544: rung 1:"), "{errors}");
+}

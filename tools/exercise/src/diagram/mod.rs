@@ -38,11 +38,12 @@ const WIDTH: f32 = 900.0;
 const MARGIN: f32 = 16.0;
 /// Where time begins.
 const LEFT: f32 = 250.0;
-const PLOT: f32 = WIDTH - LEFT - 2.0 * MARGIN;
 /// Between lanes.
 const GAP: f32 = 6.0;
 /// From one line of text to the next.
 const TEXT: f32 = 20.0;
+/// The size of what stands beside and below lanes.
+const SMALL: f32 = 12.0;
 /// A letter takes no more, on an average.
 const LETTER: f32 = 6.6;
 /// A time below the lanes needs so much.
@@ -71,7 +72,7 @@ const PAPER: Form = Form {
     is_above: false,
 };
 const COLUMN: Form = Form {
-    width: 340.0,
+    width: 300.0,
     left: 78.0,
     is_above: true,
 };
@@ -194,7 +195,7 @@ fn drawn(
         let x = scale.x(cut);
         group = group
             .add(line(x, top, x, bottom, PALE).set("stroke-dasharray", "2 3"))
-            .add(label(x + 4.0, top + 10.0, &words::power_cut(lang), PALE).set("font-size", 11));
+            .add(label(x + 4.0, top + 10.0, &words::power_cut(lang), PALE).set("font-size", SMALL));
     }
     let unmet = lanes.iter().filter_map(|lane| lane.unmet.first());
     if let Some(&(first, _)) = unmet.min() {
@@ -216,7 +217,11 @@ fn drawn_lane(
     lang: Lang,
     form: Form,
 ) -> (Group, f32) {
-    let name = label(MARGIN, y + ROW - 8.0, &cut(&lane.label), INK);
+    // Where it stands above its lane, lines of times go behind it.
+    let name = label(MARGIN, y + ROW - 8.0, &cut(&lane.label), INK)
+        .set("stroke", "#ffffff")
+        .set("stroke-width", 4)
+        .set("paint-order", "stroke");
     let mut group = Group::new().add(name);
     let y = if form.is_above { y + TEXT } else { y };
     let Some(expected) = &lane.expected else {
@@ -240,7 +245,7 @@ fn drawn_lane(
         group = group.add(
             label(scale.left - 8.0, y, word, colour)
                 .set("text-anchor", "end")
-                .set("font-size", 11),
+                .set("font-size", SMALL),
         );
     }
     let until = scale.until;
@@ -282,7 +287,7 @@ fn axis(scale: Scale, top: f32, bottom: f32, lang: Lang) -> Group {
             .add(
                 label(x, bottom + 14.0, &time, PALE)
                     .set("text-anchor", "middle")
-                    .set("font-size", 11),
+                    .set("font-size", SMALL),
             );
     }
     group

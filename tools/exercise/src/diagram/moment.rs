@@ -4,7 +4,7 @@
 
 use super::lanes::Lane;
 use super::stroke::{Scale, label, line};
-use super::{GAP, INK, LEFT, MARGIN, PALE, PAPER, PLOT, RED, WIDTH, axis, document, drawn_lane};
+use super::{COLUMN, GAP, INK, MARGIN, PALE, RED, axis, document, drawn_lane};
 use crate::scenario::{Both, Course};
 use std::collections::BTreeMap;
 use svg::node::element::Group;
@@ -96,16 +96,17 @@ impl Moment {
 
     /// Where its times are, in units of the picture: the place of the first, and how far it is to the last.
     pub fn plot() -> [f32; 2] {
-        [LEFT, PLOT]
+        [COLUMN.left, COLUMN.plot()]
     }
 
     /// It as an SVG document, with what went wrong at this time marked; `names` are what is connected to the points. A line
     /// of the class `cursor` stands at its first time, for who moves it.
     pub fn svg(&self, at: Millis, why: &str, names: &BTreeMap<String, Both>, lang: Lang) -> String {
-        let top = MARGIN + 24.0;
+        let (why_lines, below) = COLUMN.lines(why, MARGIN + 10.0, RED);
+        let top = below - 10.0;
         let scale = Scale {
-            left: LEFT,
-            width: PLOT,
+            left: COLUMN.left,
+            width: COLUMN.plot(),
             from: self.from.unwrap_or(0),
             until: self.until.max(self.from.unwrap_or(0).saturating_add(1)),
         };
@@ -123,24 +124,24 @@ impl Moment {
                 came: course.clone(),
                 unmet: Vec::new(),
             };
-            let (drawn, below) = drawn_lane(&lane, scale, self.until, bottom, lang, PAPER);
+            let (drawn, below) = drawn_lane(&lane, scale, self.until, bottom, lang, COLUMN);
             rows = rows.add(drawn);
             bottom = below + GAP;
         }
         let x = scale.x(at);
         page = page
-            .add(label(MARGIN, MARGIN + 10.0, why, RED))
+            .add(why_lines)
             .add(axis(scale, top, bottom, lang))
             .add(rows)
             .add(line(x, top, x, bottom, RED).set("stroke-dasharray", "5 3"))
             .add(
-                line(LEFT, top, LEFT, bottom, INK)
+                line(COLUMN.left, top, COLUMN.left, bottom, INK)
                     .set("class", "cursor")
                     .set("stroke-width", 1.5),
             );
         if self.points.is_empty() {
             page = page.add(label(MARGIN, bottom, "–", PALE));
         }
-        document(page, (WIDTH, bottom + 20.0 + MARGIN), why)
+        document(page, (COLUMN.width, bottom + 20.0 + MARGIN), why)
     }
 }

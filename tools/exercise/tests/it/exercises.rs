@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use unoclp_core::Board;
 use unoclp_exercise::scenario::{Both, Exercise, ProgramFile, grade};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_program::{Lang, Written};
@@ -29,8 +30,7 @@ pub(crate) fn exercises() -> Vec<(String, Exercise)> {
 /// The exercises of these folders.
 pub(crate) fn of_folders(folders: &[&str]) -> Vec<(String, Exercise)> {
     let load = |path: PathBuf| {
-        let exercise = Exercise::load(&path, unoclp_core::Board::UNO)
-            .unwrap_or_else(|error| panic!("{error}"));
+        let exercise = Exercise::load(&path, Board::UNO).unwrap_or_else(|error| panic!("{error}"));
         (stem(&path), exercise)
     };
     let all = folders.iter().flat_map(|folder| files(folder, &["toml"]));
@@ -41,15 +41,10 @@ pub(crate) fn stem(path: &Path) -> String {
     path.file_stem().unwrap().to_str().unwrap().to_owned()
 }
 
-/// The program of a text about which its compiler has nothing to say.
-pub(crate) fn program(path: &Path) -> ProgramFile {
+/// The program of a text about which its compiler has nothing to say, for this board.
+pub(crate) fn program(path: &Path, board: Board) -> ProgramFile {
     let name = path.display().to_string();
-    let source = Written::new(
-        name.clone(),
-        fs::read(path).unwrap(),
-        unoclp_core::Board::UNO,
-    )
-    .check(None);
+    let source = Written::new(name.clone(), fs::read(path).unwrap(), board).check(None);
     let source = source.unwrap_or_else(|refused| panic!("{name}: {refused:?}"));
     if let Some(told) = source.language.warnings() {
         assert_eq!(told.listed, [], "{name}");
@@ -63,7 +58,7 @@ pub(crate) fn program(path: &Path) -> ProgramFile {
 #[test]
 fn each_exercise_says_what_to_do_in_both_languages() {
     let all = exercises();
-    assert_eq!(all.len(), 47);
+    assert_eq!(all.len(), 51);
     for (name, exercise) in all {
         let titles = exercise.cases().iter().map(|case| &case.title);
         let task = exercise.task.iter();
@@ -91,14 +86,12 @@ fn each_exercise_says_what_to_do_in_both_languages() {
 #[test]
 fn each_point_of_an_exercise_has_a_name() {
     for (name, exercise) in exercises() {
-        let model = program(exercise.program.as_deref().unwrap());
+        let model = program(exercise.program.as_deref().unwrap(), exercise.board);
         let mut used = BTreeSet::new();
         for scenario in exercise.scenarios(&model) {
             let plan = scenario.plan();
-            let report = unoclp_exercise::scenario::check(
-                &scenario,
-                &mut HostEngine::new(unoclp_core::Board::UNO),
-            );
+            let report =
+                unoclp_exercise::scenario::check(&scenario, &mut HostEngine::new(exercise.board));
             used.extend(
                 plan.inputs
                     .iter()
@@ -125,8 +118,8 @@ fn each_model_solution_passes() {
         assert_eq!(stem(file), name);
         let grade = grade(
             &exercise,
-            &program(file),
-            &mut HostEngine::new(unoclp_core::Board::UNO),
+            &program(file, exercise.board),
+            &mut HostEngine::new(exercise.board),
         );
         if let Some(failing) = grade.failing {
             panic!("{name}: {}", failing.report);
@@ -158,8 +151,8 @@ fn each_typical_mistake_is_caught_by_its_case() {
         for file in &own {
             let grade = grade(
                 &exercise,
-                &program(file),
-                &mut HostEngine::new(unoclp_core::Board::UNO),
+                &program(file, exercise.board),
+                &mut HostEngine::new(exercise.board),
             );
             let Some(by) = says(file, "Caught by") else {
                 assert!(grade.is_passed(), "{file:?}: a case catches it already");

@@ -4,7 +4,6 @@
 use crate::exercises::{exercises, files, of_folders, program, says, stem, wrong};
 use std::fs;
 use std::path::{Path, PathBuf};
-use unoclp_core::Board;
 use unoclp_exercise::find::{Answer, Search};
 use unoclp_exercise::machine::{First, first_wrong, with_chances};
 use unoclp_exercise::mutants::passing;
@@ -17,7 +16,7 @@ use unoclp_program::Lang;
 fn plant(exercise: &Exercise) -> Option<Plant> {
     let path = exercise.plant.as_ref()?;
     let text = fs::read_to_string(path).unwrap_or_else(|error| panic!("{path:?}: {error}"));
-    let plant = read(&text, Board::UNO).unwrap_or_else(|mistakes| {
+    let plant = read(&text, exercise.board).unwrap_or_else(|mistakes| {
         let told = mistakes
             .iter()
             .map(|mistake| mistake.text("machine", Lang::En));
@@ -44,7 +43,7 @@ fn each_model_solution_controls_its_machine() {
             continue;
         };
         count += 1;
-        let code = program(exercise.program.as_deref().unwrap()).bytes;
+        let code = program(exercise.program.as_deref().unwrap(), exercise.board).bytes;
         let engine = &mut HostEngine::new(plant.board);
         let wrong = with_chances(&plant, &exercise.seeds, &code, engine).unwrap();
         let told = wrong.map(|wrong| wrong.text(&plant, Lang::En));
@@ -64,7 +63,11 @@ fn each_mistake_that_the_cases_do_not_see_breaks_its_rule() {
             };
             count += 1;
             let plant = plant(&exercise).unwrap();
-            assert_eq!(first(&plant, &program(&file).bytes), Some(rule), "{file:?}");
+            assert_eq!(
+                first(&plant, &program(&file, exercise.board).bytes),
+                Some(rule),
+                "{file:?}"
+            );
         }
     }
     assert!(count > 2, "{count}");
@@ -109,8 +112,8 @@ fn no_mutant_passes_and_the_pages_tell_what_the_machines_catch() {
     let (mut mutants, mut by_machine) = (0, 0);
     for (name, exercise) in exercises() {
         let plant = plant(&exercise);
-        let model = program(exercise.program.as_deref().unwrap());
-        let found = passing(&exercise, plant.as_ref(), &model.bytes, Board::UNO);
+        let model = program(exercise.program.as_deref().unwrap(), exercise.board);
+        let found = passing(&exercise, plant.as_ref(), &model.bytes, exercise.board);
         assert!(
             found.pass.is_empty() && found.of > 0,
             "{name}: {:#?}",
@@ -122,8 +125,8 @@ fn no_mutant_passes_and_the_pages_tell_what_the_machines_catch() {
         mutants += found.of;
         by_machine += found.machine_alone;
         for file in mistakes(&name, &exercise) {
-            let program = program(&file);
-            let grade = grade(&exercise, &program, &mut HostEngine::new(Board::UNO));
+            let program = program(&file, exercise.board);
+            let grade = grade(&exercise, &program, &mut HostEngine::new(exercise.board));
             let cases = !grade.is_passed();
             let all = exercise.cases().iter().zip(&grade.passed);
             let is_shown = all
@@ -220,8 +223,8 @@ fn each_hidden_fault_shows_and_can_be_named() {
             "{text}\n[[fault]]\npart = \"{}\"\nis = \"{}\"\nat = \"0 s\"\n",
             hidden.part, hidden.is
         );
-        let broken = read(&broken, Board::UNO).unwrap();
-        let code = program(exercise.program.as_deref().unwrap()).bytes;
+        let broken = read(&broken, exercise.board).unwrap();
+        let code = program(exercise.program.as_deref().unwrap(), exercise.board).bytes;
         assert!(first(&broken, &code).is_some(), "{name}: nobody sees it");
 
         let mut search = Search::new(&plant, hidden).unwrap();
@@ -258,18 +261,21 @@ fn a_program_that_is_given_does_what_its_exercise_expects() {
             continue;
         };
         count += 1;
-        let source =
-            unoclp_program::Written::new(name.clone(), given.text.clone().into_bytes(), Board::UNO);
+        let source = unoclp_program::Written::new(
+            name.clone(),
+            given.text.clone().into_bytes(),
+            exercise.board,
+        );
         let source = source.check(None).unwrap();
         assert_ne!(source.language.written_in(), given.answer_in, "{name}");
-        let model = program(exercise.program.as_deref().unwrap());
+        let model = program(exercise.program.as_deref().unwrap(), exercise.board);
         let same = ProgramFile {
             name: name.clone(),
             bytes: source.code,
         };
         for one in [&model, &same] {
             assert!(
-                passes(&exercise, one, &mut HostEngine::new(Board::UNO)),
+                passes(&exercise, one, &mut HostEngine::new(exercise.board)),
                 "{name}"
             );
         }

@@ -3,8 +3,9 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use unoclp_core::Board;
 use unoclp_core::isa::Opcode;
-use unoclp_exercise::scenario::{Scenario, Verdict, check};
+use unoclp_exercise::scenario::{Exercise, Scenario, Verdict, check};
 use unoclp_host_sim::engine::HostEngine;
 
 /// The scenario files in a folder and in all folders below it, in the order of their names. Machines are none.
@@ -32,13 +33,13 @@ fn every_scenario_passes_on_the_core() {
         assert!(!paths.is_empty(), "no scenario in {folder}");
         count += paths.len();
         for path in paths {
-            let scenarios =
-                Scenario::load_all(&path, unoclp_core::Board::UNO).unwrap_or_else(|error| {
-                    failures.push(error.to_string());
-                    Vec::new()
-                });
+            let board = Exercise::load(&path, Board::UNO).map_or(Board::UNO, |own| own.board);
+            let scenarios = Scenario::load_all(&path, Board::UNO).unwrap_or_else(|error| {
+                failures.push(error.to_string());
+                Vec::new()
+            });
             for scenario in scenarios {
-                let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
+                let report = check(&scenario, &mut HostEngine::new(board));
                 if !report.passed() || report.verdict == (Verdict::Met { comparisons: 0 }) {
                     failures.push(report.to_string());
                 }

@@ -18,17 +18,17 @@ const SPAN: u64 = 600_000;
 #[test]
 fn each_machine_has_its_trace() {
     let all = files("plants", &["toml"]);
-    assert_eq!(all.len(), 16);
+    assert_eq!(all.len(), 18);
     let traced = |file: &Path| {
         let plant = read(&fs::read_to_string(file).unwrap(), Board::UNO).unwrap();
         let model = file.with_extension("st");
         let name = file.file_stem().unwrap().to_str().unwrap();
-        let written = Written::new(name.to_owned(), fs::read(model).unwrap(), Board::UNO);
+        let written = Written::new(name.to_owned(), fs::read(model).unwrap(), plant.board);
         let code = written
             .check(None)
             .unwrap_or_else(|_| panic!("{name}"))
             .code;
-        let traced = trace(&plant, &code, &mut HostEngine::new(Board::UNO), SPAN);
+        let traced = trace(&plant, &code, &mut HostEngine::new(plant.board), SPAN);
         format!("{name} {:016x}", traced.unwrap())
     };
     let (first, second) = all.split_at(all.len() / 2);

@@ -76,21 +76,25 @@ pub(crate) fn door(b: &mut Brush<'_>) {
 
 pub(crate) fn elevator(b: &mut Brush<'_>) {
     let position = b.get(elevator::V::position);
+    let floors = b.given(elevator::F::floors).max(1);
+    // From floor to floor, and how tall the car is.
+    let storey = 318 / floors;
+    let tall = storey - 14;
     b.rect([20, 0, 90, 320], 2, "frame");
-    for floor in 0..3 {
-        let y = 318 - floor * 106;
+    for floor in 0..floors {
+        let y = 318 - floor * storey;
         b.line([0, y], [20, y], "floor");
         b.text([8, y - 8], "tag mid", (floor + 1).to_string());
         let here = b.get(elevator::V::floor) == floor + 1;
         b.twin = floor as usize + 1;
         b.live("switch").circle(
-            [116, y - 44],
+            [116, y - storey * 2 / 5],
             5,
             if here { "green-on" } else { "green-off" },
         );
     }
     b.twin = 0;
-    let y = 318 - 92 - position * 212 / 2000;
+    let y = 318 - tall - position * storey / 1000;
     b.live("rope").line([65, 0], [65, y], "ink");
     let car = b.part.given.get(elevator::F::door as usize).copied();
     let open = match car {
@@ -99,11 +103,12 @@ pub(crate) fn elevator(b: &mut Brush<'_>) {
     };
     b.live("car")
         .group(&[("transform", Value::Moved(0, y))], |b| {
-            b.rect([28, 0, 74, 92], 3, "metal");
-            b.rect([34, 8, 62, 84], 0, "yellow-on glow");
+            b.rect([28, 0, 74, tall], 3, "metal");
+            b.rect([34, 8, 62, tall - 8], 0, "yellow-on glow");
             let wide = 31 - open * 28 / 1000;
-            b.live("left").rect([34, 8, wide, 84], 0, "steel");
-            b.live("right").rect([96 - wide, 8, wide, 84], 0, "steel");
+            b.live("left").rect([34, 8, wide, tall - 8], 0, "steel");
+            b.live("right")
+                .rect([96 - wide, 8, wide, tall - 8], 0, "steel");
         });
     let crashed = b.is(elevator::V::crashed);
     b.live("crashed")

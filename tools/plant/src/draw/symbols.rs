@@ -50,6 +50,7 @@ pub(super) fn of(kind: &Kind) -> Option<Symbol> {
         "counter" => transport::counter,
         "light" => traffic::light,
         "road" => traffic::road,
+        "junction" => traffic::junction,
         "walk" => traffic::walk,
         "lane" => traffic::lane,
         _ => return None,

@@ -2,7 +2,7 @@
 
 use super::brush::{Brush, colour, display};
 use super::picture::Value;
-use crate::parts::traffic::{lane, light, road, walk};
+use crate::parts::traffic::{junction, lane, light, road, walk};
 
 pub(crate) fn light(b: &mut Brush<'_>) {
     let walks = b.given(light::F::shows) == 1;
@@ -57,12 +57,7 @@ pub(crate) fn road(b: &mut Brush<'_>) {
     let moved = [("transform", Value::Moved(x, 50)), display(passes)];
     b.live("passing").group(&moved, car);
     let hit = b.is(road::V::hit);
-    b.live("hit").shown(hit, |b| {
-        b.path(
-            "M285 20l6 14l16 -4l-10 13l12 10l-16 1l-2 16l-10 -12l-13 9l3 -16l-14 -7l15 -6Z",
-            "red-on",
-        )
-    });
+    b.live("hit").shown(hit, |b| b.moved(285, 20, burst));
     b.live("queue").text(
         [24, 30],
         "small mark",
@@ -73,6 +68,92 @@ pub(crate) fn road(b: &mut Brush<'_>) {
         },
     );
     b.name([60, 100]);
+}
+
+/// What shows that something was hit, from its upper point on.
+fn burst(b: &mut Brush<'_>) {
+    b.path(
+        "M0 0l6 14l16 -4l-10 13l12 10l-16 1l-2 16l-10 -12l-13 9l3 -16l-14 -7l15 -6Z",
+        "red-on",
+    );
+}
+
+/// A car that drives down.
+fn car_down(b: &mut Brush<'_>) {
+    b.rect([0, 0, 24, 44], 7, "car");
+    b.rect([3, 26, 18, 9], 3, "glass");
+    b.rect([3, 7, 18, 6], 2, "glass");
+}
+
+/// A crossing stands where the road of a `road` has its own, so that a `walk` fits both.
+pub(crate) fn junction(b: &mut Brush<'_>) {
+    b.rect([0, 150, 520, 70], 0, "road");
+    b.rect([380, 0, 70, 330], 0, "road");
+    for y in [146, 220] {
+        b.rect([0, y, 376, 4], 0, "kerb");
+        b.rect([454, y, 66, 4], 0, "kerb");
+    }
+    for x in [376, 450] {
+        b.rect([x, 0, 4, 150], 0, "kerb");
+        b.rect([x, 220, 4, 110], 0, "kerb");
+    }
+    for dash in 0..8 {
+        b.rect([6 + 44 * dash, 183, 20, 3], 0, "mark");
+    }
+    b.rect([470, 183, 20, 3], 0, "mark");
+    for dash in 0..7 {
+        if !(3..=4).contains(&dash) {
+            b.rect([413, 6 + 46 * dash, 3, 20], 0, "mark");
+        }
+    }
+    b.rect([246, 152, 5, 66], 0, "mark");
+    b.rect([382, 134, 66, 5], 0, "mark");
+    for stripe in 0..6 {
+        b.rect([262, 154 + 11 * stripe, 46, 6], 0, "mark");
+    }
+    let (across, down) = (
+        b.get(junction::V::waiting_across),
+        b.get(junction::V::waiting_down),
+    );
+    for place in 0..5 {
+        b.twin = place as usize + 1;
+        b.live("across")
+            .shown(across > place, |b| b.moved(198 - 50 * place, 190, car));
+    }
+    for place in 0..2 {
+        b.twin = place as usize + 1;
+        b.live("down")
+            .shown(down > place, |b| b.moved(386, 84 - 50 * place, car_down));
+    }
+    b.twin = 0;
+    let takes = b.given(junction::F::takes);
+    // How much of its way a car has gone that still takes so long.
+    let gone = |on: i32, way: i32| (takes - on).max(0) * way / takes.max(1);
+    let x = 250 + gone(b.row(junction::V::on, 0), 220);
+    let moved = [
+        ("transform", Value::Moved(x, 190)),
+        display(b.is(junction::V::passes_across)),
+    ];
+    b.live("passing").group(&moved, car);
+    let y = 138 + gone(b.row(junction::V::on, 1), 140);
+    let moved = [
+        ("transform", Value::Moved(386, y)),
+        display(b.is(junction::V::passes_down)),
+    ];
+    b.live("driving").group(&moved, car_down);
+    let (hit, crashed) = (b.is(junction::V::hit), b.is(junction::V::crashed));
+    b.live("hit").shown(hit, |b| b.moved(285, 160, burst));
+    b.live("crashed")
+        .shown(crashed, |b| b.moved(408, 166, burst));
+    let more = |waiting: i32, shown: i32| match waiting > shown {
+        true => format!("+{}", waiting - shown),
+        false => String::new(),
+    };
+    b.live("queue")
+        .text([24, 170], "small mark", more(across, 5));
+    b.live("queue_down")
+        .text([432, 16], "small mark", more(down, 2));
+    b.name([470, 244]);
 }
 
 fn person(b: &mut Brush<'_>) {

@@ -12,7 +12,7 @@ use crate::kind::Kind;
 use crate::moment::Moment;
 
 /// Every kind, by groups.
-pub static KINDS: [&Kind; 42] = [
+pub static KINDS: [&Kind; 43] = [
     &panel::button::KIND,
     &panel::switch::KIND,
     &panel::key::KIND,
@@ -53,12 +53,13 @@ pub static KINDS: [&Kind; 42] = [
     &transport::counter::KIND,
     &traffic::light::KIND,
     &traffic::road::KIND,
+    &traffic::junction::KIND,
     &traffic::walk::KIND,
     &traffic::lane::KIND,
 ];
 
 /// What each kind does in a millisecond, in the order of [`KINDS`].
-static STEPS: [Step; 42] = [
+static STEPS: [Step; 43] = [
     panel::button::step,
     panel::switch::step,
     panel::key::step,
@@ -99,6 +100,7 @@ static STEPS: [Step; 42] = [
     transport::counter::step,
     traffic::light::step,
     traffic::road::step,
+    traffic::junction::step,
     traffic::walk::step,
     traffic::lane::step,
 ];

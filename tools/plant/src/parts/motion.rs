@@ -180,31 +180,34 @@ pub(crate) mod door {
 pub(crate) mod elevator {
     use super::*;
     kind! {
-        "elevator" Motion "An elevator car in its shaft of three floors" "A cabine de um elevador no poço de três andares"
+        "elevator" Motion "An elevator car in its shaft of three or four floors" "A cabine de um elevador no poço de três ou quatro andares"
         [110, 330];
         fields {
             up: Form::Drive, "what moves it up" "o que a sobe";
             down: Form::Drive, "what moves it down" "o que a desce";
             door: Form::Part(&["door"]), "its door" "a porta dela";
+            floors: Form::Number(Unit::Count, 3, 4, 3), "how many floors it has" "quantos andares tem";
             takes: Form::Number(Unit::Ms, 500, 60_000, 4000), "how long it takes from floor to floor" "quanto demora de andar a andar";
             at_1: Form::Sense, "the input of the switch at floor 1" "a entrada do sensor do 1.º andar";
             at_2: Form::Sense, "the input of the switch at floor 2" "a entrada do sensor do 2.º andar";
             at_3: Form::Sense, "the input of the switch at floor 3" "a entrada do sensor do 3.º andar";
+            at_4: Form::Sense, "the input of the switch at floor 4" "a entrada do sensor do 4.º andar";
         }
         values {
-            position: number(Unit::Permille, 0, 2000), "its height: 0, 100% and 200% are the floors" "a altura: 0, 100% e 200% são os andares";
-            floor: number(Unit::Count, 0, 3), "the floor where it is, 0 between two floors" "o andar em que está, 0 entre dois";
+            position: number(Unit::Permille, 0, 3000), "its height: 0, 100%, 200% and so on are the floors" "a altura: 0, 100%, 200% e assim por diante são os andares";
+            floor: number(Unit::Count, 0, 4), "the floor where it is, 0 between two floors" "o andar em que está, 0 entre dois";
             moves: FLAG, "whether it moves" "se está em movimento";
             crashed: DAMAGE, "whether it has run into an end of the shaft" "se bateu em um fim do poço";
-            fine: inner(0, 2_000_000), "its height in small steps" "a altura em passos pequenos";
+            fine: inner(0, 3_000_000), "its height in small steps" "a altura em passos pequenos";
             push: inner(0, 10_000), "how long it has pushed against an end" "há quanto tempo força um fim do poço";
         }
         faults { Stuck Slow }
     }
     pub(crate) fn step(m: &mut Moment<'_>) {
         let (up, down) = (m.drive(F::up), m.drive(F::down));
+        let floors = m.number(F::floors);
         let to = match (up, down) {
-            (true, false) => Some(2_000_000),
+            (true, false) => Some((floors - 1) * 1_000_000),
             (false, true) => Some(0),
             _ => None,
         };
@@ -222,9 +225,10 @@ pub(crate) mod elevator {
             m.put(V::crashed, true);
         }
         let at = |floor: i32| (fine - floor * 1_000_000).abs() <= 25_000;
-        let floor = (0..3).find(|floor| at(*floor)).map_or(0, |floor| floor + 1);
+        let floor = (0..floors).find(|floor| at(*floor));
+        let floor = floor.map_or(0, |floor| floor + 1);
         m.set(V::floor, floor);
-        for (field, number) in [(F::at_1, 1), (F::at_2, 2), (F::at_3, 3)] {
+        for (field, number) in [(F::at_1, 1), (F::at_2, 2), (F::at_3, 3), (F::at_4, 4)] {
             m.sense(field, floor == number);
         }
     }
@@ -238,7 +242,7 @@ pub(crate) mod call {
         [60, 72];
         fields {
             of: Form::Part(&["elevator"]), "the elevator" "o elevador";
-            floor: Form::Number(Unit::Count, 1, 3, 1), "the floor" "o andar";
+            floor: Form::Number(Unit::Count, 1, 4, 1), "the floor" "o andar";
             to: Form::Sense, "the input that it switches" "a entrada que ele aciona";
         }
         values {

@@ -85,15 +85,94 @@ pub(crate) mod road {
     }
 }
 
+pub(crate) mod junction {
+    use super::*;
+    kind! {
+        "junction" Traffic "A crossing of two roads: cars come by chance on both, and crash where both drive" "Um cruzamento de duas ruas: carros chegam ao acaso nas duas, e batem se ambas andam"
+        [520, 330];
+        fields {
+            across: Form::Part(&["light"]), "the light of the road that is drawn across" "o semáforo da rua desenhada na horizontal";
+            down: Form::Part(&["light"]), "the light of the road that is drawn down" "o semáforo da rua desenhada na vertical";
+            every: Form::Number(Unit::Ms, 500, 600_000, 5000), "the time between cars on each" "o tempo entre os carros em cada uma";
+            takes: Form::Number(Unit::Ms, 200, 60_000, 2000), "how long a car takes over the crossing" "quanto um carro demora no cruzamento";
+        }
+        values {
+            waiting_across: number(Unit::Count, 0, 20), "how many cars wait on the road across" "quantos carros esperam na rua horizontal";
+            waiting_down: number(Unit::Count, 0, 20), "how many cars wait on the road down" "quantos carros esperam na rua vertical";
+            passes_across: FLAG, "whether a car of the road across is on the crossing" "se há um carro da rua horizontal no cruzamento";
+            passes_down: FLAG, "whether a car of the road down is on the crossing" "se há um carro da rua vertical no cruzamento";
+            passed_across: COUNT, "how many cars have passed across" "quantos carros passaram pela rua horizontal";
+            passed_down: COUNT, "how many cars have passed down" "quantos carros passaram pela rua vertical";
+            crashed: DAMAGE, "whether two cars have crashed" "se dois carros bateram";
+            hit: DAMAGE, "whether a car has hit somebody" "se um carro atingiu alguém";
+            on: Slot { count: 2, ..inner(0, 60_000) }, "how long the car of each road on the crossing still takes" "quanto falta ao carro de cada rua no cruzamento";
+            next: Slot { count: 2, ..inner(0, 1_200_000) }, "the time until the next car of each road" "o tempo até o próximo carro de cada rua";
+        }
+        faults { }
+    }
+    pub(crate) fn step(m: &mut Moment<'_>) {
+        for (road, light, waiting, passes, passed) in [
+            (
+                0,
+                F::across,
+                V::waiting_across,
+                V::passes_across,
+                V::passed_across,
+            ),
+            (1, F::down, V::waiting_down, V::passes_down, V::passed_down),
+        ] {
+            one(
+                m,
+                road,
+                light.into(),
+                [waiting, passes, passed].map(usize::from),
+            );
+        }
+        if m.is(V::passes_across) && m.is(V::passes_down) {
+            m.put(V::crashed, true);
+        }
+    }
+
+    /// A millisecond of one of the roads.
+    fn one(m: &mut Moment<'_>, road: usize, light: usize, values: [usize; 3]) {
+        let [waiting, passes, passed] = values;
+        let next = m.row(V::next, road) - 1;
+        m.set_row(V::next, road, next);
+        if next <= 0 {
+            m.add(waiting, 1);
+            let every = m.number(F::every);
+            let more = m.chance(every);
+            m.set_row(V::next, road, every / 2 + more);
+        }
+        let on = m.row(V::on, road) - 1;
+        m.set_row(V::on, road, on);
+        if on > 0 {
+            return;
+        }
+        if m.is(passes) {
+            m.add(passed, 1);
+        }
+        let green = m
+            .other(light)
+            .is_some_and(|light| m.of(light, light::V::green) != 0);
+        let goes = green && m.get(waiting) > 0;
+        m.put(passes, goes);
+        if goes {
+            m.add(waiting, -1);
+            m.set_row(V::on, road, m.number(F::takes));
+        }
+    }
+}
+
 pub(crate) mod walk {
     use super::*;
-    use crate::parts::traffic::{light, road};
+    use crate::parts::traffic::{junction, light, road};
     kind! {
         "walk" Traffic "A crossing where people come by chance, press the button, and walk at green" "Uma faixa onde chegam pessoas ao acaso, apertam o botão e atravessam no verde"
         [120, 200];
         fields {
             light: Form::Part(&["light"]), "its light" "o semáforo dela";
-            over: Form::Part(&["road"]), "the road" "a rua";
+            over: Form::Part(&["road", "junction"]), "the road; of a junction the one that is drawn across" "a rua; de um cruzamento, a horizontal";
             button: Form::Sense, "the input of the button" "a entrada do botão";
             every: Form::Number(Unit::Ms, 1000, 600_000, 20_000), "the time between people" "o tempo entre as pessoas";
             takes: Form::Number(Unit::Ms, 500, 60_000, 5000), "how long it takes to cross" "quanto demora a travessia";
@@ -143,9 +222,14 @@ pub(crate) mod walk {
         );
         if let Some(road) = m.other(F::over)
             && m.is(V::walks)
-            && m.of(road, road::V::passes) != 0
         {
-            m.set_of(road, road::V::hit, 1);
+            let (passes, hit) = match m.is_kind(road, "junction") {
+                true => (junction::V::passes_across.into(), junction::V::hit.into()),
+                false => (usize::from(road::V::passes), usize::from(road::V::hit)),
+            };
+            if m.of(road, passes) != 0 {
+                m.set_of(road, hit, 1);
+            }
         }
         m.sense(F::button, m.is(V::pressed) || m.get(V::presses) > 0);
     }

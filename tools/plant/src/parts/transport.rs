@@ -24,7 +24,7 @@ pub(crate) mod bin {
     kind! {
         "bin" Transport "A bin that counts what falls into it" "Uma caixa que conta o que cai nela"
         [110, 90];
-        fields { wants: Form::Choice(&["any", "metal", "plastic", "tall", "short", "full"]), "what belongs in it; `full` is a bottle filled to 90% or more" "o que deve cair nela; `full` é uma garrafa com 90% ou mais"; }
+        fields { wants: Form::Choice(&["any", "metal", "plastic", "tall", "short", "full", "tall plastic", "short plastic"]), "what belongs in it; `full` is a bottle filled to 90% or more" "o que deve cair nela; `full` é uma garrafa com 90% ou mais"; }
         values {
             count: COUNT, "how much has fallen into it" "quanto caiu nela";
             right: COUNT, "how much of that belongs in it" "quanto disso deve estar nela";
@@ -42,6 +42,8 @@ pub(crate) mod bin {
             3 => nature & TALL != 0,
             4 => nature & TALL == 0,
             5 => fill >= 900,
+            6 => nature & (METAL | TALL) == TALL,
+            7 => nature & (METAL | TALL) == 0,
             _ => true,
         };
         m.add_of(bin, V::count, 1);

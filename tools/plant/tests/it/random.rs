@@ -18,7 +18,7 @@ impl Chance {
     fn outputs(&mut self) -> Outputs {
         let bits = self.next();
         let mut outputs = Outputs {
-            points: Image((bits & 0xF).into()),
+            points: Image((bits & 0xFFFF).into()),
             ..Outputs::default()
         };
         outputs

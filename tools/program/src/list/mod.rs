@@ -7,7 +7,8 @@ mod words;
 use crate::{Source, WrittenIn, names};
 use std::path::Path;
 use unoclp_draw::edit::Document;
-use unoclp_draw::{Drawing, Ladder, Medium, Names, Report, Style, listing, to_report, to_svg};
+use unoclp_draw::{Drawing, Ladder, Medium, Names, Report, Style};
+use unoclp_draw::{listing, listing_of_blocks, to_picture, to_report, to_svg, to_svg_of_blocks};
 use unoclp_lang::{Diagnostic, Lang, TextLanguage, instructions_to_il, to_st};
 
 use unoclp_sfc::Sheet;
@@ -22,6 +23,8 @@ pub enum Form {
     /// A ladder diagram
     #[default]
     Ladder,
+    /// The same drawn as blocks
+    Blocks,
     /// Instruction List, in the words of IEC 61131-3
     Il,
     /// Structured Text
@@ -45,6 +48,11 @@ pub fn list(
         Form::Numeric => numeric::listing(program, &source.map, lang),
         Form::Il => instructions_to_il(program.steps(), source.board()),
         Form::St => to_st(program, &source.map)?,
+        Form::Blocks => {
+            let ladder = Ladder::new(program.steps());
+            let names = names(&source.map, &ladder);
+            listing_of_blocks(&ladder, width, &source.map, &names, &title(lang))
+        }
         Form::Ladder => {
             let ladder = Ladder::new(program.steps());
             let names = names(&source.map, &ladder);
@@ -87,11 +95,20 @@ pub fn chart_svg(source: &Source, look: Look) -> Option<String> {
     Some(unoclp_sfc::svg(chart, &sheet, None, &about(source), false))
 }
 
+/// How a ladder is drawn in a project in PLCopen XML.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Body {
+    /// As contacts and coils: LD.
+    Ladder,
+    /// As blocks: FBD.
+    Blocks,
+}
+
 /// A program as a project in PLCopen XML, which goes by the name of its file. A chart is exported as it is written.
 ///
 /// # Errors
 /// What no project can say.
-pub fn plcopen(source: &Source) -> Result<Exported, Vec<Lost>> {
+pub fn plcopen(source: &Source, body: Body) -> Result<Exported, Vec<Lost>> {
     let name = Path::new(&source.name).file_stem().unwrap_or_default();
     let is_st = source.language.written_in() == WrittenIn::Typed(TextLanguage::St);
     if is_st && !source.charts.is_empty() {
@@ -104,7 +121,11 @@ pub fn plcopen(source: &Source) -> Result<Exported, Vec<Lost>> {
     let document = Document::of_steps(source.program().steps());
     let document = document.with_text(&source.map);
     let document = document.with_names(names(&source.map, &ladder));
-    unoclp_plcopen::export(&document, &name.to_string_lossy(), source.board())
+    let export = match body {
+        Body::Ladder => unoclp_plcopen::export,
+        Body::Blocks => unoclp_plcopen::export_blocks,
+    };
+    export(&document, &name.to_string_lossy(), source.board())
 }
 
 /// A ladder diagram as an SVG document. Its title is the first comment of the file, or the file's name.
@@ -113,6 +134,27 @@ pub fn svg(source: &Source, width: usize, lang: Lang) -> String {
     let names = names(&source.map, &ladder);
     let drawing = draw(&ladder, &names, width, Medium::Paper);
     to_svg(&drawing, &source.map, &names, &title(lang), &about(source))
+}
+
+/// The same without its title, for a place that says what it is.
+pub fn picture(source: &Source, width: usize, lang: Lang) -> String {
+    let ladder = Ladder::new(source.program().steps());
+    let names = names(&source.map, &ladder);
+    let drawing = draw(&ladder, &names, width, Medium::Paper);
+    to_picture(&drawing, &source.map, &names, &title(lang), &about(source))
+}
+
+/// As [`svg`], of block diagrams.
+pub fn svg_of_blocks(source: &Source, lang: Lang) -> String {
+    let ladder = Ladder::new(source.program().steps());
+    let names = &names(&source.map, &ladder);
+    let (width, medium) = (unoclp_draw::NARROWEST, Medium::Paper);
+    let style = Style {
+        width,
+        names,
+        medium,
+    };
+    to_svg_of_blocks(&ladder, &style, &source.map, &title(lang), &about(source))
 }
 
 /// A ladder diagram on pages of paper, each an SVG document: under `heading`, or under the first comment of the file, or

@@ -174,7 +174,7 @@ pub(crate) struct PanelOf {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     pub drawing: Option<String>,
-    /// What stands on the grid.
+    /// What is on the grid.
     pub items: Vec<ItemOf>,
     /// What moves in the drawing.
     pub binds: Vec<BindOf>,

@@ -1,4 +1,4 @@
-//! Panels over HTTP: what stands on them, and who may set what.
+//! Panels over HTTP: what is on them, and who may set what.
 
 use crate::alarms::{of, site};
 use crate::common::{Visitor, http, post};

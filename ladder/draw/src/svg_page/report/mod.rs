@@ -30,7 +30,7 @@ pub fn to_report(
     let paper = report.paper;
     let mut pages = Pages::new(report);
     for (index, picture) in drawing.rungs.iter().enumerate() {
-        let mut page = Page::new(drawing, 0.0);
+        let mut page = Page::new(drawing.ladder(), drawing.width, 0.0);
         page.headed(
             &heading(drawing.headed(), map, names, title, index),
             picture,

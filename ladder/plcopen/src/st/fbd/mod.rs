@@ -15,7 +15,7 @@ use super::Body;
 use super::sentences::{Piece, inverted, piece};
 use super::what::What;
 use crate::found::span;
-use crate::network::Network;
+use crate::network::{Element, Network};
 use crate::xml::says;
 
 impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
@@ -62,9 +62,25 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         if element.negated() {
             value = inverted(value, place);
         }
-        let mut does = vec![piece(&format!("{} := ", element.written), place)];
+        let to = piece(&format!("{} := ", element.written), place);
+        let enables = self.enables(at);
+        if let Some(truth) = stored(element) {
+            let condition = match enables {
+                Some(enables) => {
+                    let mut condition = grouped(enables, true);
+                    condition.push(piece(" AND ", place));
+                    condition.extend(grouped(value, true));
+                    condition
+                }
+                None => value,
+            };
+            self.sentences
+                .only(condition, vec![to, piece(truth, place)]);
+            return Some(());
+        }
+        let mut does = vec![to];
         does.extend(value);
-        match self.enables(at) {
+        match enables {
             Some(condition) => self.sentences.only(condition, does),
             None => self.sentences.add(does),
         }
@@ -92,6 +108,15 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         } else {
             value
         })
+    }
+}
+
+/// What a variable is set or reset to where its value is TRUE; none of one that takes the value.
+fn stored(element: &Element<'_, '_>) -> Option<&'static str> {
+    match element.node.attribute("storage") {
+        Some("set") => Some("TRUE"),
+        Some("reset") => Some("FALSE"),
+        _ => None,
     }
 }
 

@@ -3,12 +3,17 @@
 use super::model::{BITS, BLOCKS, Diagram, Element, Kind, NUMBERS, Pin, inputs, outputs};
 use unoclp_testing::Random;
 
-/// A diagram of a few blocks, wired at random, in circles too.
-pub(super) fn random_diagram(random: &mut Random) -> Diagram {
+/// A diagram of a few blocks, wired at random, in circles too; `forward`: in none, and nothing says when it runs.
+pub(super) fn random_diagram(random: &mut Random, forward: bool) -> Diagram {
     let mut diagram = Diagram::default();
-    let count = 2 + random.below(7);
+    let count = 2 + random.below(if forward { 3 } else { 7 });
     for index in 0..count {
-        let (name, has_instance) = random.pick(&BLOCKS);
+        let (name, has_instance) = match forward {
+            true => {
+                random.pick(&BLOCKS.map(|block| if block.0 == "SEL" { BLOCKS[0] } else { block }))
+            }
+            false => random.pick(&BLOCKS),
+        };
         diagram.block(name, has_instance.then(|| format!("f{index}")), random);
     }
     let connectors = random.below(3);
@@ -34,7 +39,14 @@ pub(super) fn random_diagram(random: &mut Random) -> Diagram {
     for number in 0..NUMBERS {
         diagram.shown(number, random);
     }
-    diagram.wire(random);
+    if forward {
+        for element in &mut diagram.elements {
+            element.order = 0;
+            element.pins.retain(|pin| pin.name != "EN");
+            element.outputs.retain(|output| output.0 != "ENO");
+        }
+    }
+    diagram.wire(random, forward);
     diagram
 }
 
@@ -118,7 +130,7 @@ impl Diagram {
     }
 
     /// Leads something to each input: often a value, else an output of any block.
-    fn wire(&mut self, random: &mut Random) {
+    fn wire(&mut self, random: &mut Random, forward: bool) {
         for at in 0..self.elements.len() {
             for of in 0..self.elements[at].pins.len() {
                 let pin = &self.elements[at].pins[of];
@@ -127,7 +139,8 @@ impl Diagram {
                 }
                 let (is_truth, is_time) = (pin.is_truth, pin.name == "PT");
                 let is_connector = matches!(self.elements[at].kind, Kind::Connector(_));
-                let chosen = self.source(is_truth, is_connector, random);
+                let last = if forward { at } else { self.elements.len() };
+                let chosen = self.source(last, (is_truth, is_connector), random);
                 let from = match chosen.filter(|_| !is_time && random.percent(65)) {
                     Some(from) => from,
                     None => (self.value(is_truth, is_time, random), 0),
@@ -137,15 +150,15 @@ impl Diagram {
         }
     }
 
-    /// An output of this type; none that a connector may not lead on.
+    /// An output of this type, of the first so many elements; none that a connector may not lead on.
     fn source(
         &self,
-        is_truth: bool,
-        of_block: bool,
+        last: usize,
+        (is_truth, of_block): (bool, bool),
         random: &mut Random,
     ) -> Option<(usize, usize)> {
         let mut sources = Vec::new();
-        for (at, element) in self.elements.iter().enumerate() {
+        for (at, element) in self.elements.iter().enumerate().take(last) {
             let fits = match element.kind {
                 Kind::Block(..) => true,
                 Kind::Continuation(_) => !of_block,

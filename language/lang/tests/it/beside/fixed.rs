@@ -10,7 +10,7 @@ use unoclp_lang::{Lines, Span, TextLanguage, compile_text};
 use unoclp_point::Address;
 
 /// I1, I2, Q1 and a bit of the program's own, and a register.
-fn tree(body: Vec<Stmt>, labels: Vec<(u32, u8)>) -> Tree {
+fn tree(body: Vec<Stmt>) -> Tree {
     let mut tree = Tree::default();
     let points = [
         Some(Address::Input(1)),
@@ -35,7 +35,6 @@ fn tree(body: Vec<Stmt>, labels: Vec<(u32, u8)>) -> Tree {
         locals: Vec::new(),
         references: 0,
         body,
-        labels,
         at: Span::default(),
     });
     tree.programs.push(0);
@@ -68,13 +67,13 @@ fn is_as_older(text: &str, tree: &Tree) {
 fn an_instruction_of_the_board_stands_as_it_is() {
     let i1 = || read(0, Base::Bool);
     let one = codes(Some(i1()), &[877701], None);
-    is_as_older("LD I1\nCODE 877701\n", &tree(vec![one], Vec::new()));
+    is_as_older("LD I1\nCODE 877701\n", &tree(vec![one]));
     // acc behind it goes where the next statement uses it.
     let body = vec![
         codes(Some(i1()), &[787984], Some(3)),
         assign(2, read(3, Base::Bool)),
     ];
-    is_as_older("LD I1\nCODE 787984\nST Q1\n", &tree(body, Vec::new()));
+    is_as_older("LD I1\nCODE 787984\nST Q1\n", &tree(body));
     // Its timers count, and a rung that it begins is one.
     let body = vec![
         codes(Some(i1()), &[847978, 500, 7703], None),
@@ -82,37 +81,30 @@ fn an_instruction_of_the_board_stands_as_it_is() {
         assign(2, read(1, Base::Bool)),
     ];
     let text = "LD I1\nCODE 847978, 500, 7703\nCODE 787600\nLD I2\nST Q1\n";
-    is_as_older(text, &tree(body, Vec::new()));
+    is_as_older(text, &tree(body));
 }
 
 #[test]
 fn a_pc_stops_at_an_instruction_of_the_board() {
-    let tree = tree(vec![codes(None, &[787600], None)], Vec::new());
+    let tree = tree(vec![codes(None, &[787600], None)]);
     let ended = Machine::new(&tree).scan(0);
     assert_eq!(ended, Err(Stop::Codes(Span::default())));
 }
 
 #[test]
-fn a_label_has_the_number_that_the_text_names() {
+fn a_label_has_a_number_that_no_code_of_the_text_has() {
     let jump = |to| statement(StmtKind::Jump(Some(read(0, Base::Bool)), to));
     let q1 = |by: u32| assign(2, read(by, Base::Bool));
     let body = vec![jump(3), jump(5), q1(1), q1(0), q1(1), q1(1)];
-    let made = compiled_of("", &tree(body.clone(), vec![(5, 7)]));
     let labels = |made: &unoclp_lang::CompiledText| -> Vec<i32> {
         let labels = made.lines.iter();
         let labels = labels.filter(|line| line.letters.starts_with("LB"));
         labels.map(|line| line.code - 766600).collect()
     };
-    assert_eq!(labels(&made), [1, 7]);
-    // One that is taken goes to the first; a code of the text has its own.
-    let mut both = body.clone();
-    both.push(codes(None, &[766602], None));
-    let made = compiled_of("", &tree(both, vec![(3, 7), (5, 7)]));
-    assert_eq!(labels(&made), [7, 1]);
-    let mut other = body;
-    other.push(codes(None, &[766601], None));
-    let made = compiled_of("", &tree(other, Vec::new()));
-    assert_eq!(labels(&made), [2, 3]);
+    assert_eq!(labels(&compiled_of("", &tree(body.clone()))), [1, 2]);
+    let mut coded = body;
+    coded.push(codes(None, &[766601], None));
+    assert_eq!(labels(&compiled_of("", &tree(coded))), [2, 3]);
 }
 
 #[test]
@@ -159,7 +151,7 @@ fn each_step_stands_where_the_text_says_it() {
             to.at.start += 3;
         }
     }
-    let made = compiled_of(text, &tree(vec![stored, number], Vec::new()));
+    let made = compiled_of(text, &tree(vec![stored, number]));
     let (_, map) = made.program.unwrap();
     let places = map.steps.iter().map(|step| (step.line, step.column));
     let starts = Lines::new(text);

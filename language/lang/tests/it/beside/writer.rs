@@ -188,7 +188,6 @@ impl Writer {
             locals: Vec::new(),
             references: 0,
             body: self.body,
-            labels: Vec::new(),
             at: Span::default(),
         });
         self.tree.programs.push(0);

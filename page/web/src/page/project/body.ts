@@ -8,6 +8,7 @@ import { h } from "../dom";
 import { liveOf } from "../forcing";
 import { pointsOf } from "../points";
 import type { Around, ChartPane } from "../sfc/pane";
+import { type Drawn, Palette } from "./palette";
 import type { Altered } from "./pane";
 
 const EDGES = ["", "rising", "falling"] as const;
@@ -25,11 +26,15 @@ export class Body {
   private unit = "";
   private selected = "";
   private made = "";
+  private readonly palette = new Palette((drawn) => this.draw(drawn));
+  /** Whether what comes next is new, and is selected. */
+  private isNew = false;
 
   constructor(
     private readonly around: Around,
     private readonly chart: ChartPane,
     private readonly alter: (altered: Altered) => void,
+    private readonly back: (way: "undo" | "redo") => void,
   ) {
     this.paper.addEventListener("click", (event) => {
       const piece = (event.target as Element).closest<SVGElement>("[data-id]");
@@ -41,7 +46,7 @@ export class Body {
   }
 
   /** Shows the body of a unit; null: there is none. */
-  async show(unit: ProjectUnit | null, looked: Looked | null, problems: readonly Problem[]): Promise<void> {
+  async show(unit: ProjectUnit | null, looked: Looked | null, problems: readonly Problem[], units: readonly ProjectUnit[]): Promise<void> {
     this.problems = problems;
     const isChart = unit?.language === "SFC";
     if (isChart && looked) {
@@ -59,8 +64,14 @@ export class Body {
     this.unit = unit?.name ?? "";
     const { shown } = this;
     const made = JSON.stringify([this.unit, shown?.language, shown?.text, shown?.svg]);
-    if (made !== this.made) this.build(shown);
+    if (made !== this.made) {
+      this.build(shown);
+      // A new element has the largest number.
+      if (this.isNew) this.selected = String(Math.max(...(shown?.elements ?? []).map(({ id }) => Number(id) || 0)));
+      this.isNew = false;
+    }
     this.made = made;
+    if (shown?.svg) this.palette.show(shown.language, units.filter(({ name, kind }) => kind !== "program" && name !== this.unit).map(({ name }) => name));
     this.select(this.selected);
     this.live();
   }
@@ -77,7 +88,7 @@ export class Body {
     }
     const { scrollTop, scrollLeft } = this.paper;
     this.paper.innerHTML = shown.svg;
-    if (!this.root.contains(this.paper)) this.root.replaceChildren(this.paper, this.form);
+    if (!this.root.contains(this.paper)) this.root.replaceChildren(this.palette.root, this.paper, this.form);
     this.paper.scrollTo(scrollLeft, scrollTop);
   }
 
@@ -115,13 +126,36 @@ export class Body {
     ].filter((one) => one !== null);
   }
 
+  /** Draws something at the selected element, or takes that away. */
+  private draw({ what, to }: Drawn): void {
+    const { elements } = this.shown ?? { elements: [] };
+    const at = this.selected || (elements.find(({ kind }) => !FIXED.test(kind))?.id ?? "");
+    this.isNew = what !== "erase";
+    if (what === "erase") {
+      // What stands before it is selected next.
+      const ids = elements.filter(({ kind }) => !FIXED.test(kind)).map(({ id }) => id);
+      this.selected = ids[Math.max(ids.indexOf(at) - 1, 0)] ?? "";
+    }
+    this.alter({ what, at, to });
+    this.paper.focus();
+  }
+
   private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey) {
+      const key = event.key.toLowerCase();
+      if (key !== "z" && key !== "y") return;
+      this.back(key === "y" || event.shiftKey ? "redo" : "undo");
+      return event.preventDefault();
+    }
+    if (event.altKey) return;
     const ids = (this.shown?.elements ?? []).filter(({ kind }) => !FIXED.test(kind)).map(({ id }) => id);
     const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
     if (by) {
       const at = ids.indexOf(this.selected);
       this.select(ids[Math.min(Math.max(at + by, 0), ids.length - 1)] ?? "");
       this.paper.querySelector(".selected")?.scrollIntoView({ block: "nearest", inline: "nearest" });
+    } else if (this.palette.key(event)) {
+      // It is drawn.
     } else if (event.key === "Enter") this.form.querySelector<HTMLElement>("input")?.focus();
     else return;
     event.preventDefault();

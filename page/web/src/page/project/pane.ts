@@ -41,7 +41,7 @@ export class ProjectPane {
   ) {
     const alter = (altered: Altered): void => void this.alter(altered);
     this.table = new Table(alter);
-    this.body = new Body(around, chart, alter);
+    this.body = new Body(around, chart, alter, (way) => void this.back(way));
     this.pane = h("section", { class: "project-pane", id: "project-pane", "data-say-label": "project" },
       h("div", { class: "project-side" }, h("div", { class: "bar" }, this.undo, this.redo), this.tree),
       h("div", { class: "project-open" }, this.heading, this.mistakes, this.table.root, this.body.root));
@@ -81,7 +81,7 @@ export class ProjectPane {
     const { project } = this;
     if (project && !this.unit && this.open !== "") this.open = (project.units.find(({ kind }) => kind === "program") ?? project.units[0])?.name ?? "";
     this.build();
-    await this.body.show(this.unit ?? null, this.looked, this.problems);
+    await this.body.show(this.unit ?? null, this.looked, this.problems, project?.units ?? []);
   }
 
   private get unit(): ProjectUnit | undefined {

@@ -1,9 +1,9 @@
 //! The cases of the scenario files.
 
 use super::scenarios;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use unoclp_core::{Board, Fault, Loader};
-use unoclp_exercise::scenario::Scenario;
+use unoclp_exercise::scenario::{Exercise, Scenario};
 use unoclp_testing::cases;
 
 /// Which cases of an exercise are run: each is a start and some seconds, and there are many.
@@ -15,12 +15,15 @@ pub enum Of {
     First,
 }
 
-/// All cases of the scenario files in these folders but for these of exercises, each with its file; in a quick run one of
+/// All cases of the scenario files in these folders but for these of exercises, as far as they are of this board, each with its file; in a quick run one of
 /// each few.
 pub fn every_scenario(folders: &[&str], of: Of) -> impl Iterator<Item = (PathBuf, Scenario)> {
     cases(scenarios(folders).into_iter().flat_map(move |path| {
-        let all = Scenario::load_all(&path, unoclp_core::Board::UNO)
-            .unwrap_or_else(|error| panic!("{error}"));
+        let mut all =
+            Scenario::load_all(&path, Board::UNO).unwrap_or_else(|error| panic!("{error}"));
+        if crate::BOARD == Board::UNO && is_of_mega(&path) {
+            all.clear();
+        }
         let is_exercise = path
             .components()
             .any(|part| part.as_os_str() == "exercises");
@@ -33,6 +36,12 @@ pub fn every_scenario(folders: &[&str], of: Of) -> impl Iterator<Item = (PathBuf
             .take(most)
             .map(move |scenario| (path.clone(), scenario))
     }))
+}
+
+/// Whether a scenario names the Mega as its board: its program asks for points that an UNO lacks.
+pub fn is_of_mega(path: &Path) -> bool {
+    let exercise = Exercise::load(path, Board::UNO);
+    exercise.is_ok_and(|exercise| exercise.board == Board::MEGA)
 }
 
 /// The first fault of a program on a board.

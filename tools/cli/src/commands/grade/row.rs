@@ -13,6 +13,7 @@ use unoclp_exercise::scenario::{Exercise, Failing, ProgramFile, Verdict, grade};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_lang::{self as lang, Lines, Severity, Told};
 use unoclp_program::{NoProgram, Refused, Source, Written, WrittenIn, diagnosis, list, shown};
+use unoclp_workspace::Analysis;
 
 /// Columns of a ladder beside the text of a page.
 const WIDTH: usize = 80;
@@ -99,7 +100,7 @@ impl<'c> Row<'c> {
     pub fn of_program(file: ProgramFile, wording: &Wording, course: &'c Course) -> Row<'c> {
         let ProgramFile { name, bytes } = file;
         match course.only() {
-            Some(task) => Row::of(wording.on(task.exercise.board).of(name, bytes), task),
+            Some(task) => Row::of(name, bytes, wording, task),
             None => {
                 let path = Path::new(&name).to_owned();
                 Row::not_graded(&path, messages::which_exercise())
@@ -119,10 +120,7 @@ impl<'c> Row<'c> {
             Err(why) => return Row::not_graded(path, why),
         };
         let mut row = match course.named(&exercise) {
-            Some(task) => Row::of(
-                wording.on(task.exercise.board).of(name, text.into_bytes()),
-                task,
-            ),
+            Some(task) => Row::of(name, text.into_bytes(), wording, task),
             None => Row::not_graded(path, messages::other_exercise(&exercise)),
         };
         row.file = shown(path);
@@ -160,30 +158,33 @@ impl<'c> Row<'c> {
     }
 
     /// That of a program, which is compiled and run through all cases.
-    fn of(written: Written, task: &'c Task) -> Row<'c> {
+    fn of(name: String, bytes: Vec<u8>, wording: &Wording, task: &'c Task) -> Row<'c> {
+        let wording = wording.on(task.exercise.board);
+        let analysis = wording.workspace().open(wording.of(name, bytes));
         Row {
             task: Some(task),
-            ..Row::came(written, task)
+            ..Row::came(&analysis, task)
         }
     }
 
-    fn came(written: Written, task: &'c Task) -> Row<'c> {
+    fn came(analysis: &Analysis, task: &'c Task) -> Row<'c> {
         let Task {
             exercise, plant, ..
         } = task;
-        let board = written.board;
+        let board = exercise.board;
         if let Some(hidden) = &exercise.find {
-            return Row::of_answer(&written, hidden);
+            return Row::of_answer(analysis.written(), hidden);
         }
-        let source = match written.check(None) {
-            Ok(source) => source,
-            Err(refused) => return Row::of_refused(refused),
+        let source = match analysis.check() {
+            Some(Ok(source)) => source,
+            Some(Err(refused)) => return Row::of_refused(refused),
+            None => return Row::no_program(analysis.written().name.clone(), NoProgram::Other),
         };
         if let Some(given) = &exercise.given
             && given.answer_in != source.language.written_in()
         {
             let why = messages::other_language(given.answer_in.name());
-            return Row::refused(source.name, why, String::new());
+            return Row::refused(source.name.clone(), why, String::new());
         }
         let program = ProgramFile {
             name: source.name.clone(),
@@ -193,7 +194,7 @@ impl<'c> Row<'c> {
         Row {
             student: None,
             task: None,
-            work: Some(Work::of(&source)),
+            work: Some(Work::of(source)),
             machine: plant
                 .as_ref()
                 .and_then(|plant| what_first(plant, &exercise.seeds, &program.bytes, board)),
@@ -201,10 +202,10 @@ impl<'c> Row<'c> {
             tries: None,
             fail: grade.failing.map(|failing| Fail {
                 case: failing.scenario.about(messages::spoken()).to_owned(),
-                why: why(&failing.report.verdict, &source),
+                why: why(&failing.report.verdict, source),
                 shown: Shown::Run(Box::new(failing)),
             }),
-            file: source.name,
+            file: source.name.clone(),
         }
     }
 
@@ -228,36 +229,38 @@ impl<'c> Row<'c> {
         }
     }
 
-    fn of_refused(refused: Refused) -> Row<'c> {
+    fn of_refused(refused: &Refused) -> Row<'c> {
         let (renderer, speak) = (Renderer::plain(), messages::spoken());
         match refused {
-            Refused::NoProgram { name, why } => {
-                let why = match why {
-                    NoProgram::Empty => messages::file_empty(),
-                    NoProgram::Binary => messages::file_binary(),
-                    NoProgram::Other => messages::file_other(),
-                };
-                Row::refused(name, why, String::new())
-            }
+            Refused::NoProgram { name, why } => Row::no_program(name.clone(), *why),
             Refused::Numeric { written, faults } => {
-                let Written { name, bytes, .. } = *written;
+                let Written { name, bytes, .. } = &**written;
                 let why = faults.first().map(|fault| {
-                    let told = diagnosis::tell(&bytes, fault, speak);
+                    let told = diagnosis::tell(bytes, fault, speak);
                     in_line(told.line.unwrap_or(1) as usize, told.message)
                 });
-                let excerpt = diagnosis::show(&name, &bytes, &faults, speak, &renderer);
-                Row::refused(name, why.unwrap_or_default(), excerpt)
+                let excerpt = diagnosis::show(name, bytes, faults, speak, &renderer);
+                Row::refused(name.clone(), why.unwrap_or_default(), excerpt)
             }
             Refused::Text {
                 name,
                 text,
                 diagnostics,
             } => {
-                let why = first_error(&text, &diagnostics);
-                let excerpt = lang::show(&name, &text, &diagnostics, speak, &renderer);
-                Row::refused(name, why, excerpt)
+                let why = first_error(text, diagnostics);
+                let excerpt = lang::show(name, text, diagnostics, speak, &renderer);
+                Row::refused(name.clone(), why, excerpt)
             }
         }
+    }
+
+    fn no_program(name: String, why: NoProgram) -> Row<'c> {
+        let why = match why {
+            NoProgram::Empty => messages::file_empty(),
+            NoProgram::Binary => messages::file_binary(),
+            NoProgram::Other => messages::file_other(),
+        };
+        Row::refused(name, why, String::new())
     }
 
     fn refused(file: String, why: String, excerpt: String) -> Row<'c> {

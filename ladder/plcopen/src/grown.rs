@@ -1,0 +1,569 @@
+//! Elements of a drawn body that come and go: contacts, coils, values, variables and blocks, with the wires that follow them.
+//! What stands in their way makes room; all else of the file stays as it is.
+
+use crate::alter::attribute;
+use crate::bodies::body;
+use crate::edges::{append, lead, removed, spliced};
+use crate::export::escaped;
+use crate::found::Found;
+use crate::rows;
+use crate::signature::{Signature, signature};
+use crate::xml::{self, all, first, within};
+use roxmltree::Node;
+use std::fmt::Write as _;
+use std::ops::Range;
+
+/// Where something new stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Where {
+    /// In series, right before an element.
+    Before,
+    /// In series, right after it.
+    After,
+    /// In parallel to it; in a block diagram where the same value leads to.
+    Beside,
+    /// In a network of its own, below all others.
+    Below,
+}
+
+type Piece = (Range<usize>, String);
+
+/// The room that an element takes, to the next one and to the next row.
+const COLUMN: f64 = 80.0;
+const ROW: f64 = 60.0;
+/// The room of a block with the values before it.
+const BLOCK: f64 = 180.0;
+
+/// A project in which something new is drawn in a unit: `contact`, `coil`, `value`, `variable`, or the name of a block or function.
+/// None where it cannot stand there. Its number in the file is the largest of its body.
+pub fn draw(text: &str, unit: &str, place: Where, at: &str, what: &str) -> Option<String> {
+    let tree = xml::parse(text, &mut Found::default())?;
+    let root = tree.root_element();
+    let sheet = Sheet::of(text, body(root, unit)?)?;
+    let new = New::of(&sheet, root, unit, what)?;
+    let mut grown = Grown {
+        sheet: &sheet,
+        pieces: Vec::new(),
+        last: sheet.last,
+    };
+    grown.put(&new, place, at)?;
+    let drawn = spliced(text, grown.pieces);
+    match &new.instance {
+        Some((name, kind)) => rows::add(&drawn, Some(unit), "localVars", name, kind),
+        None => Some(drawn),
+    }
+}
+
+/// A project without an element of a drawn unit; what led to it leads on. Values that led to nothing else go too.
+pub fn erase(text: &str, unit: &str, at: &str) -> Option<String> {
+    let tree = xml::parse(text, &mut Found::default())?;
+    let sheet = Sheet::of(text, body(tree.root_element(), unit)?)?;
+    let node = sheet.element(at)?;
+    let mut pieces = vec![removed(text, node)];
+    let power = sheet.power(node);
+    let before: Vec<String> = power.iter().flat_map(|pin| sheet.wires(*pin)).collect();
+    for wire in sheet.readers(at) {
+        let pin = wire.parent()?;
+        // What another wire brings anyway comes once.
+        let has: Vec<String> = sheet.wires(pin);
+        let more = before.iter().filter(|own| !has.contains(own));
+        let more: String = more.map(String::as_str).collect();
+        pieces.push((wire.range(), more));
+    }
+    let is_lonely = |value: &Node<'_, '_>| {
+        let id = value.attribute("localId").unwrap_or_default();
+        let readers = sheet.readers(id);
+        value.tag_name().name() == "inVariable"
+            && !readers.is_empty()
+            && readers
+                .iter()
+                .all(|wire| within(node, "connection").any(|own| own == *wire))
+            && !before
+                .iter()
+                .any(|wire| wire.contains(&format!("\"{id}\"")))
+    };
+    let values = sheet.body.children().filter(Node::is_element);
+    pieces.extend(values.filter(is_lonely).map(|value| removed(text, value)));
+    Some(spliced(text, pieces))
+}
+
+/// A drawn body.
+struct Sheet<'t, 'a, 'x> {
+    text: &'t str,
+    body: Node<'a, 'x>,
+    is_blocks: bool,
+    /// The largest number of an element.
+    last: u64,
+}
+
+impl<'t, 'a, 'x: 'a> Sheet<'t, 'a, 'x> {
+    fn of(text: &'t str, body: Node<'a, 'x>) -> Option<Sheet<'t, 'a, 'x>> {
+        let is_blocks = match body.tag_name().name() {
+            "LD" => false,
+            "FBD" => true,
+            _ => return None,
+        };
+        let ids = body.children().filter_map(|node| node.attribute("localId"));
+        let last = ids.filter_map(|id| id.parse().ok()).max().unwrap_or(0);
+        Some(Sheet {
+            text,
+            body,
+            is_blocks,
+            last,
+        })
+    }
+
+    fn element(&self, id: &str) -> Option<Node<'a, 'x>> {
+        let mut elements = self.body.children();
+        elements.find(|node| node.attribute("localId") == Some(id))
+    }
+
+    /// The pin of an element that power, or its first value, comes to.
+    fn power(&self, node: Node<'a, 'x>) -> Option<Node<'a, 'x>> {
+        first(node, "connectionPointIn").or_else(|| {
+            let pins = all(first(node, "inputVariables")?, "variable");
+            let mut pins = pins.filter_map(|pin| first(pin, "connectionPointIn"));
+            pins.next()
+        })
+    }
+
+    /// The wires that lead to a pin, without the points between.
+    fn wires(&self, pin: Node<'a, 'x>) -> Vec<String> {
+        let wire = |wire: Node<'_, '_>| {
+            let of = |name| wire.attribute(name).filter(|said| !said.is_empty());
+            Some(connection(of("refLocalId")?, of("formalParameter")))
+        };
+        all(pin, "connection").filter_map(wire).collect()
+    }
+
+    /// The wires that come from an element.
+    fn readers(&self, id: &str) -> Vec<Node<'a, 'x>> {
+        let wires = within(self.body, "connection");
+        let own = wires.filter(|wire| wire.attribute("refLocalId") == Some(id));
+        own.collect()
+    }
+
+    /// Where an element stands.
+    fn place(&self, node: Node<'_, '_>) -> Option<(f64, f64)> {
+        let at = first(node, "position")?;
+        let number = |name| {
+            at.attribute(name)?
+                .parse::<f64>()
+                .ok()
+                .filter(|n| n.is_finite())
+        };
+        Some((number("x")?, number("y")?))
+    }
+
+    /// The output of an element that goes on: the one that something takes already, otherwise its first.
+    fn output(&self, node: Node<'a, 'x>, id: &str) -> Option<&'a str> {
+        let taken = self.readers(id).into_iter();
+        let mut taken = taken.filter_map(|wire| wire.attribute("formalParameter"));
+        taken.next().filter(|name| !name.is_empty()).or_else(|| {
+            let list = first(node, "outputVariables")?;
+            let mut names = all(list, "variable").filter_map(|of| of.attribute("formalParameter"));
+            let first = names.next()?;
+            match first == "ENO" && self.is_blocks {
+                true => names.next(),
+                false => Some(first),
+            }
+        })
+    }
+}
+
+/// The element of a wire.
+fn connection(from: &str, output: Option<&str>) -> String {
+    let output = output.map_or(String::new(), |name| {
+        format!(" formalParameter=\"{}\"", escaped(name))
+    });
+    format!("<connection refLocalId=\"{}\"{output}/>", escaped(from))
+}
+
+/// What is to be drawn.
+struct New {
+    /// The name of its XML element.
+    kind: &'static str,
+    /// The variable of a contact or a coil, an expression, the type of a block.
+    written: String,
+    /// Of a block.
+    signature: Signature,
+    /// The instance that it is called with, and its type.
+    instance: Option<(String, String)>,
+}
+
+impl New {
+    fn of(sheet: &Sheet<'_, '_, '_>, root: Node<'_, '_>, unit: &str, what: &str) -> Option<New> {
+        let pou = within(root, "pou").find(|pou| crate::alter::is_named(*pou, unit))?;
+        let plain = |kind, written| {
+            let (signature, instance) = (Signature::default(), None);
+            Some(New {
+                kind,
+                written,
+                signature,
+                instance,
+            })
+        };
+        match (what, sheet.is_blocks) {
+            ("contact", false) => plain("contact", usual(pou, true)),
+            ("coil", false) => plain("coil", usual(pou, false)),
+            ("value", true) => plain("inVariable", usual(pou, true)),
+            ("variable", true) => plain("outVariable", usual(pou, false)),
+            ("contact" | "coil" | "value" | "variable", _) => None,
+            _ => {
+                let signature = signature(root, what, sheet.is_blocks)?;
+                let instance = signature.is_instance.then(|| {
+                    let names: Vec<String> = within(pou, "variable")
+                        .filter_map(|of| Some(of.attribute("name")?.to_uppercase()))
+                        .collect();
+                    let numbered = (1..).map(|number| format!("{what}_{number}"));
+                    let mut free = numbered.filter(|name| !names.contains(&name.to_uppercase()));
+                    (free.next().unwrap_or_default(), what.to_owned())
+                });
+                Some(New {
+                    kind: "block",
+                    written: what.to_owned(),
+                    signature,
+                    instance,
+                })
+            }
+        }
+    }
+
+    /// The output that power goes on from.
+    fn output(&self) -> Option<&str> {
+        self.signature.goes_on.as_deref()
+    }
+
+    fn rows(&self) -> usize {
+        let Signature {
+            inputs, outputs, ..
+        } = &self.signature;
+        inputs.len().max(outputs.len())
+    }
+}
+
+/// The variable that a new contact reads or a new coil writes, until somebody says another.
+fn usual(pou: Node<'_, '_>, is_read: bool) -> String {
+    let sections = match is_read {
+        true => ["inputVars", "localVars", "outputVars"],
+        false => ["outputVars", "localVars", "inOutVars"],
+    };
+    let interface = first(pou, "interface");
+    let variables = sections.iter().flat_map(|name| {
+        let own = interface.into_iter().flat_map(|of| all(of, name));
+        own.flat_map(|section| all(section, "variable"))
+    });
+    let fits = |variable: &Node<'_, '_>| {
+        let is_bool = first(*variable, "type").is_some_and(|kind| first(kind, "BOOL").is_some());
+        let address = variable
+            .attribute("address")
+            .unwrap_or_default()
+            .to_uppercase();
+        is_bool && (is_read || !address.starts_with("%I"))
+    };
+    let mut fitting = variables.filter(fits);
+    let name = fitting.next().and_then(|of| of.attribute("name"));
+    name.unwrap_or("FALSE").to_owned()
+}
+
+/// A body that grows.
+struct Grown<'s, 't, 'a, 'x> {
+    sheet: &'s Sheet<'t, 'a, 'x>,
+    pieces: Vec<Piece>,
+    last: u64,
+}
+
+impl<'a, 'x: 'a> Grown<'_, '_, 'a, 'x> {
+    fn put(&mut self, new: &New, place: Where, at: &str) -> Option<()> {
+        if place == Where::Below {
+            return self.below(new);
+        }
+        let sheet = self.sheet;
+        let node = sheet.element(at)?;
+        let kind = node.tag_name().name();
+        let is_end = matches!(kind, "rightPowerRail" | "outVariable" | "jump" | "return");
+        let is_begin = matches!(kind, "leftPowerRail" | "inVariable" | "continuation");
+        let is_beside = matches!(kind, "comment" | "label" | "vendorElement");
+        let stands = match (place, new.kind) {
+            _ if is_beside => false,
+            (Where::After, "inVariable") | (Where::Before, "outVariable") => false,
+            (Where::After, "outVariable") => !is_end,
+            (Where::After, _) => !is_end && (kind != "coil" || new.kind == "coil"),
+            (Where::Before, "inVariable") => kind == "block",
+            (Where::Before, _) => !is_begin,
+            (Where::Beside, "inVariable") => kind == "block",
+            (Where::Beside, _) => !is_begin && !is_end || kind == "outVariable",
+            (Where::Below, _) => true,
+        };
+        if !stands {
+            return None;
+        }
+        let (x, y) = sheet.place(node).unwrap_or((20.0, 20.0));
+        let wide = if new.kind == "block" { BLOCK } else { COLUMN };
+        let high = 20.0 * new.rows().saturating_sub(1) as f64;
+        let own = sheet.power(node);
+        match (place, new.kind) {
+            (_, "inVariable") => self.input(node, &new.written, (x, y)),
+            (Where::After, "outVariable") => {
+                let from = vec![connection(at, sheet.output(node, at))];
+                self.room(|place| place.1 > y + 30.0, (0.0, ROW));
+                self.element(new, &from, (x + 2.0 * COLUMN, y + ROW), node.range().end);
+                Some(())
+            }
+            (Where::After, _) => {
+                let from = vec![connection(at, sheet.output(node, at))];
+                self.room(|place| place.0 > x, (wide, 0.0));
+                self.room_below(y, high);
+                let end = node.range().end;
+                let shift = self.width(node);
+                let id = self.element(new, &from, (x + shift + wide - COLUMN, y), end);
+                for wire in sheet.readers(at) {
+                    let to = connection(&id, new.output());
+                    self.pieces.push((wire.range(), to));
+                }
+                Some(())
+            }
+            (Where::Before, _) => {
+                let own = own?;
+                let from = sheet.wires(own);
+                self.room(|place| place.0 >= x, (wide, 0.0));
+                self.room_below(y, high);
+                let id = self.element(new, &from, (x + wide - COLUMN, y), node.range().start);
+                self.rewire(own, &connection(&id, new.output()));
+                Some(())
+            }
+            (Where::Beside, _) => {
+                let from = own.map_or(Vec::new(), |pin| sheet.wires(pin));
+                self.room(|place| place.1 > y + 10.0, (0.0, ROW + high));
+                let id = self.element(new, &from, (x, y + ROW), node.range().end);
+                if new.kind == "outVariable" {
+                    return Some(());
+                }
+                let mut pins: Vec<Node<'a, 'x>> = Vec::new();
+                for wire in sheet.readers(at) {
+                    let pin = wire.parent()?;
+                    if !pins.contains(&pin) {
+                        pins.push(pin);
+                        let more = append(sheet.text, pin, &connection(&id, new.output()))?;
+                        self.pieces.push(more);
+                    }
+                }
+                Some(())
+            }
+            (Where::Below, _) => None,
+        }
+    }
+
+    /// One more input of a block, with its value.
+    fn input(&mut self, block: Node<'a, 'x>, value: &str, (x, y): (f64, f64)) -> Option<()> {
+        let sheet = self.sheet;
+        let list = first(block, "inputVariables")?;
+        let pins: Vec<Node<'_, '_>> = all(list, "variable").collect();
+        let points = pins
+            .iter()
+            .filter_map(|pin| first(*pin, "connectionPointIn"));
+        let open = points.rev().find(|pin| sheet.wires(*pin).is_empty());
+        let at = (x - COLUMN, y + 24.0 + 20.0 * pins.len() as f64);
+        let (id, value) = self.value(value, at);
+        let start = block.range().start;
+        let lead = lead(sheet.text, block).to_owned();
+        self.pieces.push((start..start, value + &lead));
+        let wire = connection(&id, None);
+        let piece = match open {
+            Some(pin) => append(sheet.text, pin, &wire)?,
+            None => {
+                let last = pins.last()?.attribute("formalParameter")?;
+                let number: u32 = last.strip_prefix("IN")?.parse().ok()?;
+                let pin = pin(&format!("IN{}", number + 1), &wire);
+                append(sheet.text, list, &pin)?
+            }
+        };
+        self.pieces.push(piece);
+        Some(())
+    }
+
+    /// A network below all others.
+    fn below(&mut self, new: &New) -> Option<()> {
+        let sheet = self.sheet;
+        let nodes = sheet.body.children().filter(Node::is_element);
+        let lows = nodes.filter_map(|node| {
+            let high = node
+                .attribute("height")
+                .and_then(|high| high.parse::<f64>().ok());
+            Some(sheet.place(node)?.1 + high.unwrap_or(20.0))
+        });
+        let y = lows.reduce(f64::max).unwrap_or(0.0) + 40.0;
+        let mut to = String::new();
+        let mut wires = Vec::new();
+        if !sheet.is_blocks {
+            let id = self.next();
+            let _ = write!(
+                to,
+                "<leftPowerRail localId=\"{id}\" height=\"40\" width=\"10\"><position x=\"20\" y=\"{}\"/><connectionPointOut formalParameter=\"\"><relPosition x=\"10\" y=\"20\"/></connectionPointOut></leftPowerRail>",
+                y - 12.0
+            );
+            wires.push(connection(&id, None));
+        } else if new.kind == "outVariable" {
+            let (id, value) = self.value("FALSE", (20.0, y));
+            to += &value;
+            wires.push(connection(&id, None));
+        }
+        let x = if new.kind == "block" { 200.0 } else { 120.0 };
+        let (id, more) = self.written(new, &wires, (x, y));
+        if !sheet.is_blocks {
+            let end = self.next();
+            let from = connection(&id, new.output());
+            let _ = write!(
+                to,
+                "<rightPowerRail localId=\"{end}\" height=\"40\" width=\"10\"><position x=\"{}\" y=\"{}\"/><connectionPointIn><relPosition x=\"0\" y=\"20\"/>{from}</connectionPointIn></rightPowerRail>",
+                x + 200.0,
+                y - 12.0
+            );
+        }
+        to += &more;
+        let piece = append(sheet.text, sheet.body, &to)?;
+        self.pieces.push(piece);
+        Some(())
+    }
+
+    /// Puts an element into the file at this byte, with wires to its power; its number.
+    fn element(&mut self, new: &New, from: &[String], at: (f64, f64), byte: usize) -> String {
+        let (id, written) = self.written(new, from, at);
+        self.pieces.push((byte..byte, written));
+        id
+    }
+
+    /// An element, after the values that it takes; its number is the largest.
+    fn written(&mut self, new: &New, from: &[String], (x, y): (f64, f64)) -> (String, String) {
+        let wires: String = from.concat();
+        let written = escaped(&new.written);
+        let mut to = String::new();
+        let mut pins = String::new();
+        for (row, (name, value)) in new.signature.inputs.iter().enumerate() {
+            let is_power = new.signature.power.as_deref() == Some(name);
+            let wire = match value {
+                _ if is_power && !from.is_empty() => wires.clone(),
+                None => String::new(),
+                Some(value) => {
+                    let at = (x - COLUMN, y + 18.0 + 20.0 * row as f64);
+                    let (id, element) = self.value(value, at);
+                    to += &element;
+                    connection(&id, None)
+                }
+            };
+            pins += &pin(name, &wire);
+        }
+        let id = self.next();
+        let _ = match new.kind {
+            "block" => {
+                let instance = new.instance.as_ref().map_or(String::new(), |(name, _)| {
+                    format!(" instanceName=\"{}\"", escaped(name))
+                });
+                let outputs = new.signature.outputs.iter();
+                let outputs: String = outputs
+                    .map(|name| {
+                        format!(
+                            "<variable formalParameter=\"{}\"><connectionPointOut/></variable>",
+                            escaped(name)
+                        )
+                    })
+                    .collect();
+                let high = 30 + 20 * new.rows().max(1);
+                write!(
+                    to,
+                    "<block localId=\"{id}\" typeName=\"{written}\"{instance} height=\"{high}\" width=\"90\"><position x=\"{x}\" y=\"{y}\"/><inputVariables>{pins}</inputVariables><inOutVariables/><outputVariables>{outputs}</outputVariables></block>"
+                )
+            }
+            "inVariable" => write!(
+                to,
+                "<inVariable localId=\"{id}\" height=\"24\" width=\"60\"><position x=\"{x}\" y=\"{y}\"/><connectionPointOut/><expression>{written}</expression></inVariable>"
+            ),
+            "outVariable" => write!(
+                to,
+                "<outVariable localId=\"{id}\" height=\"24\" width=\"60\"><position x=\"{x}\" y=\"{y}\"/><connectionPointIn>{wires}</connectionPointIn><expression>{written}</expression></outVariable>"
+            ),
+            kind => write!(
+                to,
+                "<{kind} localId=\"{id}\" height=\"15\" width=\"21\"><position x=\"{x}\" y=\"{y}\"/><connectionPointIn><relPosition x=\"0\" y=\"7\"/>{wires}</connectionPointIn><connectionPointOut><relPosition x=\"21\" y=\"7\"/></connectionPointOut><variable>{written}</variable></{kind}>"
+            ),
+        };
+        (id, to)
+    }
+
+    fn value(&mut self, expression: &str, (x, y): (f64, f64)) -> (String, String) {
+        let id = self.next();
+        let expression = escaped(expression);
+        let value = format!(
+            "<inVariable localId=\"{id}\" height=\"24\" width=\"60\"><position x=\"{x}\" y=\"{y}\"/><connectionPointOut/><expression>{expression}</expression></inVariable>"
+        );
+        (id, value)
+    }
+
+    fn next(&mut self) -> String {
+        self.last += 1;
+        self.last.to_string()
+    }
+
+    /// The only wire of a pin is this one.
+    fn rewire(&mut self, pin: Node<'a, 'x>, wire: &str) {
+        let mut own = all(pin, "connection");
+        match own.next() {
+            Some(first) => self.pieces.push((first.range(), wire.to_owned())),
+            None => self.pieces.extend(append(self.sheet.text, pin, wire)),
+        }
+        self.pieces
+            .extend(own.map(|other| removed(self.sheet.text, other)));
+    }
+
+    fn width(&self, node: Node<'_, '_>) -> f64 {
+        let wide = node.attribute("width").and_then(|wide| wide.parse().ok());
+        COLUMN.max(wide.unwrap_or(0.0) + 40.0)
+    }
+
+    fn room_below(&mut self, y: f64, high: f64) {
+        if high > 0.0 {
+            self.room(|place| place.1 > y + 10.0, (0.0, high));
+        }
+    }
+
+    /// Moves the elements that stand there, and lets wires find their ways.
+    fn room(&mut self, moves: impl Fn((f64, f64)) -> bool, by: (f64, f64)) {
+        let sheet = self.sheet;
+        let mut moved = Vec::new();
+        for node in sheet.body.children().filter(Node::is_element) {
+            let (Some(at), Some(position)) = (sheet.place(node), first(node, "position")) else {
+                continue;
+            };
+            if !moves(at) {
+                continue;
+            }
+            for (name, value, by) in [("x", at.0, by.0), ("y", at.1, by.1)] {
+                if by != 0.0 {
+                    let piece =
+                        attribute(sheet.text, position, name, Some(&(value + by).to_string()));
+                    self.pieces.extend(piece);
+                }
+            }
+            moved.extend(node.attribute("localId"));
+        }
+        let is_moved = |id: Option<&str>| id.is_some_and(|id| moved.contains(&id));
+        for node in sheet.body.children().filter(Node::is_element) {
+            let is_end = is_moved(node.attribute("localId"));
+            for wire in within(node, "connection") {
+                if is_end || is_moved(wire.attribute("refLocalId")) {
+                    let points = all(wire, "position");
+                    self.pieces
+                        .extend(points.map(|point| removed(sheet.text, point)));
+                }
+            }
+        }
+    }
+}
+
+/// An input of a block.
+fn pin(name: &str, wires: &str) -> String {
+    format!(
+        "<variable formalParameter=\"{}\"><connectionPointIn>{wires}</connectionPointIn></variable>",
+        escaped(name)
+    )
+}
