@@ -44,7 +44,6 @@ mod program_memory;
 mod retentive;
 #[path = "../it/run_memory.rs"]
 mod run_memory;
-mod site;
 #[path = "../it/stack.rs"]
 mod stack;
 #[path = "../it/start_up.rs"]
