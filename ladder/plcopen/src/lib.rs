@@ -18,7 +18,7 @@
 //! - `whole`: all of it as one text, for who looks for a name
 //! - `adapt`: points that another PLC has, on this board; `comments`: texts without them
 //! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces are in the file; `types`: types
-//!   as it spells them; `st`: ladder bodies as statements, where no document holds them; `sfc`: charts
+//!   as it spells them; `repeated`: heads that bodies in ST say again; `st`: ladder bodies as statements, where no document holds them; `sfc`: charts
 //!
 //! The way out ([`export()`]): `export`.
 //!
@@ -56,6 +56,7 @@ mod pins;
 mod points;
 mod program;
 mod project;
+mod repeated;
 mod rows;
 mod rungs;
 mod scope;
