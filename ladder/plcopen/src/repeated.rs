@@ -36,7 +36,8 @@ pub(crate) fn repeated(body: &str, declares: bool) -> Vec<Range<usize>> {
     let is_typed = rest.trim_start().starts_with(':');
     let mut until = if is_typed { line } else { name.end };
     until = until.min(begun.map_or(until, |word| word.start));
-    let mut parts = vec![head.start..until];
+    let mut parts = Vec::new();
+    parts.push(head.start..until);
     let mut at = words
         .iter()
         .position(|word| word.start >= until)
