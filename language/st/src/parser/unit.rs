@@ -195,8 +195,8 @@ impl Parser<'_, '_> {
             self.next();
         } else {
             let help = (
-                "the first word says what the unit is",
-                "a primeira palavra diz o que é a unidade",
+                "begin with the kind of unit",
+                "comece pelo tipo da unidade",
             );
             self.tell(
                 Code::StExpected,
