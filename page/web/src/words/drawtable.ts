@@ -20,7 +20,7 @@ export const DRAW = {
   symbolAdd: ["Add", "Adicionar"],
   symbolsNone: ["No point has a name yet.", "Nenhum ponto tem nome ainda."],
   find: ["Find", "Localizar"],
-  findNone: ["Nothing in the drawing has {words}.", "Nada no desenho contém {words}."],
+  findNone: ["Nothing in the drawing contains {words}.", "Nada no desenho contém {words}."],
   findOf: ["{n} of {all}", "{n} de {all}"],
   asText: ["As text", "Em texto"],
   asIl: ["Instruction List", "Lista de Instruções"],

@@ -263,7 +263,7 @@ const STEPS = [
   }],
   ["a step of the tutorial is read, done, and left", async (page, hand) => {
     await pick(page, "#lessons", hand);
-    for (const name of ["Open this program", "Check the step", "Show a solution", "Check the exercise", "Next step", "Step before"]) await hand.press(page, named(page, name));
+    for (const name of ["Open this program", "Check the step", "Show a solution", "Check the exercise", "Next step", "Previous step"]) await hand.press(page, named(page, name));
     await page.locator("#lesson .chip", { hasText: "Step 1 of" }).waitFor();
     await hand.press(page, page.locator("#lesson").getByRole("button", { name: "Close" }));
     await page.locator("#lesson").waitFor({ state: "hidden" });

@@ -21,17 +21,17 @@ unoclp_words::messages! {
         "{file} already exists and is not overwritten; name another output file"
         "{file} já existe e não será sobrescrito; indique outro arquivo de saída";
     not_adapted(file)
-        "{file} is not Instruction List, Structured Text or PLCopen XML: only there are points written as %QX1.3"
-        "{file} não é Lista de Instruções, Texto Estruturado nem PLCopen XML: só neles os pontos se escrevem como %QX1.3";
+        "{file} is not Instruction List, Structured Text or PLCopen XML: only those write points as %QX1.3"
+        "{file} não é Lista de Instruções, Texto Estruturado nem PLCopen XML: só eles escrevem pontos como %QX1.3";
     no_editor(why)
-        "no editor speaks here: {why}. An editor starts this command itself; docs/editors.md says how"
-        "nenhum editor fala aqui: {why}. O próprio editor inicia este comando; docs/editors.pt-BR.md explica como";
+        "this command talks to an editor, and none answered: {why}. An editor starts it itself; docs/editors.md explains how"
+        "este comando conversa com um editor, e nenhum respondeu: {why}. O próprio editor o inicia; docs/editors.pt-BR.md explica como";
     can_be_adapted(file, points, board)
         "unoclp adapt {file} -o COPY writes a copy that moves {points} to free points of the {board}"
         "unoclp adapt {file} -o COPIA grava uma cópia que passa {points} para pontos livres do {board}";
     nothing_to_adapt(board)
-        "the {board} has all points of this text; there is no copy"
-        "o {board} tem todos os pontos deste texto; não há cópia";
+        "the {board} has all points of this text; no copy was written"
+        "o {board} tem todos os pontos deste texto; nenhuma cópia foi gravada";
     no_place(board, points)
         "the {board} has no free point for {points}; they stay as they are"
         "o {board} não tem ponto livre para {points}; eles ficam como estão";
@@ -118,13 +118,13 @@ unoclp_words::messages! {
         "{file}:{line}:{column}: the file is damaged: from here on it is not JSON; ask the student to hand in again from the page"
         "{file}:{line}:{column}: o arquivo está danificado: daqui em diante não é JSON; peça ao aluno que entregue de novo pela página";
     hand_in_lacks(file, key)
-        "{file}: `{key}` is missing, or is not a text; ask the student to hand in again from the page"
+        "{file}: `{key}` is missing, or is not a string; ask the student to hand in again from the page"
         "{file}: falta `{key}`, ou não é um texto; peça ao aluno que entregue de novo pela página";
     hand_in_other_form(file, form, due)
         "{file}: `form` is {form}, and this unoclp reads {due}; use the unoclp of the same version as the page"
         "{file}: `form` é {form}, e este unoclp lê {due}; use o unoclp da mesma versão que a página";
     says_passed(file)
-        "{file}: the hand-in claims to have passed, but it did not; the table counts"
+        "{file}: the hand-in claims to have passed, but it did not; the table has the valid result"
         "{file}: a entrega diz que passou, e não passou; o que vale é a tabela";
     moodle_identifier() "Identifier" "Identificador";
     moodle_name() "Full name" "Nome completo";
@@ -512,7 +512,7 @@ unoclp_words::messages! {
         "programas errados que passam: {passed} de {count}";
     slip_inverted() "a contact inverted" "um contato invertido";
     slip_dropped() "a contact left out" "um contato a menos";
-    slip_joined() "series for parallel" "série por paralelo";
+    slip_joined() "series in place of parallel" "série no lugar de paralelo";
     slip_halved() "a number halved" "um número pela metade";
     slip_doubled() "a number doubled" "um número em dobro";
     slip_swapped() "two coils swapped" "duas bobinas trocadas";
@@ -530,8 +530,8 @@ unoclp_words::messages! {
         "the animation cannot be made: {why}"
         "não foi possível fazer a animação: {why}";
     built_without_gif()
-        "this unoclp was built without animations"
-        "este unoclp foi compilado sem animações";
+        "this unoclp was built without support for animations"
+        "este unoclp foi compilado sem suporte a animações";
     a_film() "an animated GIF" "um GIF animado";
     rules_kept(kept, rules, met, goals)
         "rules kept: {kept} of {rules}; goals met: {met} of {goals}"
