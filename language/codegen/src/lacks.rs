@@ -144,7 +144,7 @@ fn instead(base: Base) -> (&'static str, &'static str) {
         Base::Ulint => ("use UDINT", "use UDINT"),
         Base::Lword => ("use DWORD", "use DWORD"),
         _ => (
-            "show numbers in place of texts, for example an enumeration",
+            "show numbers instead of strings, for example an enumeration",
             "mostre números em vez de textos, por exemplo uma enumeração",
         ),
     }

@@ -16,7 +16,7 @@ unoclp_words::messages! {
         "{given} is not a time from {from} to {to}; write \"100ms\", \"5s\", \"2m\", \"1h\" or \"400d\""
         "{given} não é um tempo de {from} a {to}; escreva \"100ms\", \"5s\", \"2m\", \"1h\" ou \"400d\"";
     open(listen)
-        "{listen} is open to the network; write `tls = \"self-signed\"` to encrypt its traffic, `tls = \"none\"` if you trust the network, or listen at 127.0.0.1"
+        "{listen} is open to the network; write `tls = \"self-signed\"` to encrypt its traffic, `tls = \"none\"` if you trust the network, or listen on 127.0.0.1"
         "{listen} fica aberto para a rede; escreva `tls = \"self-signed\"` para criptografar o que passa por ela, `tls = \"none\"` se confia nessa rede, ou use 127.0.0.1";
     no_line()
         "there are no lines; add a [[line]] with its port, and a [[line.board]] for each board on it"
@@ -46,7 +46,7 @@ unoclp_words::messages! {
         "{other} also has unit {unit}; give each board of the site its own"
         "{other} também tem a unidade {unit}; dê a cada placa da instalação a sua";
     two_servers(address)
-        "two servers listen at {address}; give each its own port"
+        "two servers listen on {address}; give each its own port"
         "dois servidores usam {address}; dê a cada um a sua porta";
     no_broker(given)
         "{given} is not a broker's address; write \"mqtt://10.0.0.7:1883\", or \"mqtts://broker.example:8883\" for an encrypted connection"

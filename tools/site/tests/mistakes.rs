@@ -214,7 +214,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[modbus]\nlisten = \"127.0.0.1:8420\"\n"),
             6,
-            "two servers listen at 127.0.0.1:8420",
+            "two servers listen on 127.0.0.1:8420",
         ),
         (
             with("program = \"none.st\"\n"),

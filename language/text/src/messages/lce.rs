@@ -19,9 +19,9 @@ macro_rules! lce_rows {
         "`{0}` é uma constante, mas aqui é preciso uma variável"
         "{1}";
     404 LceUndeclared Error
-        "there is no name `{0}`"
+        "`{0}` is not a known name"
         "{1}"
-        "não existe o nome `{0}`"
+        "o nome `{0}` não existe"
         "{1}";
     405 LceNoPoint Error
         "there is no point `{0}` on this board"
@@ -49,7 +49,7 @@ macro_rules! lce_rows {
         "`R{0}` não existe: {0} combina bits, e um número do tipo R não os tem"
         "escreva {0}, ou W{0} ou B{0} para 16 ou 8 bits";
     410 LceVarForm Error
-        "`{0}` gives no name to a place"
+        "`{0}` does not name a place"
         "{1}"
         "`{0}` não dá nome a um lugar"
         "{1}";

@@ -14,7 +14,7 @@ macro_rules! st_rows {
         "este comentário nunca é fechado, e o resto do texto faz parte dele"
         "escreva *) no fim dele";
     103 StTextOpen Error
-        "this text has no closing {0} on its line"
+        "this string has no closing {0} on its line"
         "write {0} at its end"
         "este texto não tem {0} de fechamento na sua linha"
         "escreva {0} no fim dele";
@@ -401,7 +401,7 @@ macro_rules! st_rows {
     205 BoardRetain Error
         "the board cannot retain a {0} through a power cut"
         "store the values that matter in a variable with RETAIN"
-        "a placa não consegue guardar um {0} na falta de energia"
+        "a placa não consegue reter um {0} em uma queda de energia"
         "guarde os valores que importam em uma variável com RETAIN";
     207 BoardLoop Error
         "the jumps of this loop cost {0}, but a scan can spend {1}"

@@ -166,7 +166,7 @@ impl Builder<'_, '_> {
                 };
                 write(self.converting(format!("{base}_TO_{int}"), &written))
             }
-            _ if base.is_text() => ("CONCAT joins texts", "CONCAT junta textos").into(),
+            _ if base.is_text() => ("CONCAT joins strings", "CONCAT junta textos").into(),
             _ => both(
                 format!("use a variable of another type for {written}"),
                 format!("use uma variável de outro tipo para {written}"),

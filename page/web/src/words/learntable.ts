@@ -9,7 +9,7 @@ export const LEARN = {
   exerciseHints: ["Hints", "Dicas"],
   exerciseHint: ["Hint {n} of {all}", "Dica {n} de {all}"],
   exerciseCheck: ["Check", "Verificar"],
-  exerciseBegin: ["Begin an empty program", "Começar um programa vazio"],
+  exerciseBegin: ["Start an empty program", "Começar um programa vazio"],
   theMachine: ["the machine", "a máquina"],
   failedMachine: ["Not yet. The cases pass, but the machine does not: {why}", "Ainda não. Os casos passam, mas a máquina não: {why}"],
   passed: ["Passed: the program does what is expected.", "Passou: o programa faz o que se espera."],

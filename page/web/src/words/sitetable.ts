@@ -8,7 +8,7 @@ export const SITE = {
   siteAlarms: ["Alarms", "Alarmes"],
   siteTrends: ["Trends", "Tendências"],
   sitePanels: ["Panels", "Painéis"],
-  siteDeeds: ["Record", "Registro"],
+  siteDeeds: ["Record", "Ocorrências"],
   siteWaiting: ["Waiting for the gateway …", "Aguardando o gateway …"],
   siteLost: ["The gateway does not answer. These values may be old.", "O gateway não responde. Estes valores podem estar desatualizados."],
   siteNone: ["This address serves no site. Start `unoclp serve --site site.toml`.", "Este endereço não serve nenhuma instalação. Inicie `unoclp serve --site site.toml`."],

@@ -7,7 +7,7 @@ export const SLOW = {
   slowEnd: ["To the end of the scan", "Até o fim da varredura"],
   slowHere: ["To here", "Até aqui"],
   slowBreak: ["Breakpoint here", "Ponto de parada aqui"],
-  slowOn: ["Go on", "Continuar"],
+  slowOn: ["Continue", "Continuar"],
   slowClose: ["End slow motion", "Encerrar a câmera lenta"],
   slowOnHint: ["Runs at full speed to the next breakpoint", "Executa em velocidade normal até o próximo ponto de parada"],
   slowHereHint: ["Runs to the cursor", "Executa até o cursor"],

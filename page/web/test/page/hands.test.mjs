@@ -82,7 +82,7 @@ const STEPS = [
   }],
   ["time stands, goes on, goes at 1/10 and 1/100", async (page, hand) => {
     await pick(page, "#pause", hand);
-    await page.locator("#pace", { hasText: "Time stands still" }).waitFor();
+    await page.locator("#pace", { hasText: "Time is stopped" }).waitFor();
     await pick(page, "#pause", hand);
     for (const [speed, pace] of /** @type {const} */ ([["0.1", /^0\.(1|0[5-9])\d* × real time/], ["0.01", /^0\.0[01]\d* × real time/], ["1", /^(1|0\.[89])\d* ×/]])) {
       await hand.choose(page, "#speed", speed);

@@ -106,7 +106,7 @@ unoclp_words::messages! {
         "{folder} contains no exercise. An exercise is a scenario file with cases, and its name ends in .toml"
         "{folder} não tem nenhum exercício. Um exercício é um arquivo de cenário com casos, e seu nome termina em .toml";
     which_exercise()
-        "this file does not say which exercise it solves; name one exercise in place of the folder, or ask for a hand-in"
+        "this file does not say which exercise it solves; name one exercise instead of the folder, or ask for a hand-in"
         "este arquivo não diz qual exercício resolve; indique um exercício em vez da pasta, ou peça uma entrega";
     other_exercise(exercise)
         "it was handed in for the exercise {exercise}, which is not graded here; name the file of that exercise, or a folder that has it"
@@ -284,13 +284,13 @@ unoclp_words::messages! {
         "the board at {port} is shared with this PC only"
         "a placa em {port} é compartilhada só com este PC";
     not_served_site(address, error)
-        "cannot listen at {address}: {error}. Set another address under `listen` in the site file"
+        "cannot listen on {address}: {error}. Set another address under `listen` in the site file"
         "não é possível usar o endereço {address}: {error}. Indique outro em `listen`, no arquivo de instalação";
     overview_at(page)
         "all boards: {page}site.html"
         "todas as placas: {page}site.html";
     page_of_board(name)
-        "board {name}: the same page with #board/{name} in place of #board"
+        "board {name}: the same page with #board/{name} instead of #board"
         "placa {name}: a mesma página com #board/{name} em vez de #board";
     modbus_at(address) "Modbus TCP: {address}" "servidor Modbus TCP: {address}";
     mqtt_there(broker) "{broker}: connected" "{broker}: conectado";
