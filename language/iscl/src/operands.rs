@@ -50,9 +50,7 @@ impl Checker<'_, '_> {
             ),
             _ => both(
                 format!("test it: IF {written} THEN {name} := 1; ELSE {name} := 0; END_IF"),
-                format!(
-                    "teste-o: IF {written} THEN {name} := 1; ELSE {name} := 0; END_IF"
-                ),
+                format!("teste-o: IF {written} THEN {name} := 1; ELSE {name} := 0; END_IF"),
             ),
         };
         let is = self.type_of(value);

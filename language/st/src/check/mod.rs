@@ -137,11 +137,7 @@ fn is_program(text: &str, file: &File, found: &mut Found) -> bool {
             "há declarações, mas nenhum comando",
         )
             .into(),
-        true => (
-            "the text has no statements",
-            "o texto não tem comandos",
-        )
-            .into(),
+        true => ("the text has no statements", "o texto não tem comandos").into(),
     };
     found.tell(Code::StNoProgram, end, [why]);
     false

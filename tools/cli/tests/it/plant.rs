@@ -217,7 +217,9 @@ fn hidden_chances_are_told_to_the_teacher() {
     let (code, said, _) = outcome(&["grade", &hidden, &program, "--csv"]);
     assert_eq!(code, 1, "{said}");
     assert!(
-        said.contains(",no,1,1,,with hidden random values (2): at 2.599 s a rule was broken: No metal"),
+        said.contains(
+            ",no,1,1,,with hidden random values (2): at 2.599 s a rule was broken: No metal"
+        ),
         "{said}"
     );
 }
