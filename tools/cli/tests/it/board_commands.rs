@@ -569,7 +569,7 @@ fn a_board_is_told_of_in_portuguese() {
         (
             locked(0b1),
             upload,
-            "erro: os envios estão bloqueados na placa; para desbloquear",
+            "erro: os envios estão bloqueados nesta placa; para desbloquear",
         ),
         (
             locked(0b100),

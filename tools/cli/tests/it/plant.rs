@@ -30,7 +30,7 @@ fn a_rule_that_breaks_is_told_with_its_second_and_drawn() {
     ];
     let (code, said, told) = outcome(&arguments);
     assert_eq!(code, 1, "{said}{told}");
-    let first = "em 15.";
+    let first = "aos 15.";
     assert!(
         said.contains(first) && said.contains("Ninguém é esmagado"),
         "{said}"

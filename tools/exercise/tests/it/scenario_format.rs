@@ -340,7 +340,7 @@ fn a_report_is_told_in_portuguese() {
          0   ·   ·   ·   ·     ·   ·   ·   ·
 
 FALHOU
-  Q1 em 1 ms: esperado 1, ocorreu 0 (até 3 ms)";
+  Q1 aos 1 ms: esperado 1, ocorreu 0 (até 3 ms)";
     let told = report.text(Lang::Pt);
     assert!(told.ends_with(expected), "{told}");
     let scenario = load("recusa.toml", &format!("{HEAD}fault = {{ number = 24 }}\n"));
