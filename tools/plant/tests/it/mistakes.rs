@@ -44,7 +44,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             1,
             "`title` takes another kind",
         ),
-        ("title = \"t\"\n".into(), 1, "there is no part"),
+        ("title = \"t\"\n".into(), 1, "there are no parts"),
         (
             part("wheel", ""),
             12,
