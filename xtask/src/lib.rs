@@ -36,3 +36,4 @@ pub mod toolchain;
 pub mod toolset;
 pub mod vsix;
 pub mod wasm;
+pub mod wiring;

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use xtask::{
     bench, card, demo, dist, firmware, flash, fuzz, lab, modules, mutants, notice, rulings, setup,
-    test, vsix,
+    test, vsix, wiring,
 };
 
 /// Builds, shows and tests unoclp
@@ -40,6 +40,8 @@ enum Task {
     Mutants(mutants::Args),
     /// Write docs/rulings.md: which tests name which ruling of the numeric code
     Rulings,
+    /// Draw docs/wiring-mega.svg, the wiring of the Mega 2560, from the table of its pins
+    Wiring,
     /// Build the extension for Visual Studio Code: target/unoclp.vsix
     Vsix,
     /// Install what demo, test and firmware need, or say what is missing
@@ -74,6 +76,7 @@ fn main() -> ExitCode {
         Task::Modules => modules::run(),
         Task::Mutants(args) => mutants::run(&args),
         Task::Rulings => rulings::run(),
+        Task::Wiring => wiring::run(),
         Task::Vsix => vsix::run(),
         Task::Setup => setup::run(),
     };

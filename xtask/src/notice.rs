@@ -85,6 +85,8 @@ impl Parts {
             "What others wrote and unoclp contains. The source of each is in the registry of npm's packages or of\n\
              Rust's crates, under this name and version.\n",
         );
+        // A text that many bring stands once.
+        let mut told = std::collections::BTreeMap::new();
         for part in self.packages.iter().chain(&self.crates) {
             let Part {
                 name,
@@ -97,7 +99,13 @@ impl Parts {
             for file in licences(folder)? {
                 let read = fs::read(&file);
                 let bytes = read.with_context(|| format!("cannot read {}", file.display()))?;
-                let _ = write!(text, "\n{}\n", String::from_utf8_lossy(&bytes).trim());
+                let own = String::from_utf8_lossy(&bytes).trim().replace("\r\n", "\n");
+                if let Some(of) = told.get(&own) {
+                    let _ = write!(text, "\nThe same text as that of {of}.\n");
+                    continue;
+                }
+                let _ = write!(text, "\n{own}\n");
+                told.insert(own, format!("{name} {version}"));
             }
         }
         Ok(text.replace("\r\n", "\n"))

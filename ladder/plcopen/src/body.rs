@@ -3,6 +3,7 @@
 use crate::found::{Found, span};
 use crate::imported::Imported;
 use crate::project::{Pou, Project, Variable};
+use crate::repeated::repeated;
 use crate::sfc;
 use crate::st::{self, Units};
 use crate::text::Text;
@@ -120,7 +121,13 @@ fn write(
             }
         };
         if let Some(body) = body {
-            write_pou(&mut written, pou, &[], found, |to| to.body(xml, body));
+            write_pou(&mut written, pou, &[], found, |to| {
+                let from = to.text.len();
+                to.body(xml, body);
+                if own == "ST" {
+                    to.blank(from, &repeated(&to.text[from..], !pou.variables.is_empty()));
+                }
+            });
         }
         let new = written.text.get(from..).unwrap_or_default();
         let words = new.split(|c: char| !c.is_alphanumeric() && c != '_');

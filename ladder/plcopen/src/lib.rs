@@ -14,11 +14,11 @@
 //! - `outputs`: the circuits of a network; `effects`: which of them may change places; `anew`: contacts that each output reads for itself; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
 //! - `outline`: its units and their variables, as a tree; `alter`, `rows`: one of these changed in the file, put into it, taken away
 //! - `shown`: the body of a unit as its file lays it out; `bodies`: changed in the file; `edges`: bytes of it, and no others
-//! - `grown`: elements that come and go there; `signature`: the pins of a new block
+//! - `grown`: elements that come and go there
 //! - `whole`: all of it as one text, for who looks for a name
 //! - `adapt`: points that another PLC has, on this board; `comments`: texts without them
 //! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces are in the file; `types`: types
-//!   as it spells them; `st`: ladder bodies as statements, where no document holds them; `sfc`: charts
+//!   as it spells them; `repeated`: heads that bodies in ST say again; `st`: ladder bodies as statements, where no document holds them; `sfc`: charts
 //!
 //! The way out ([`export()`]): `export`.
 //!
@@ -56,12 +56,12 @@ mod pins;
 mod points;
 mod program;
 mod project;
+mod repeated;
 mod rows;
 mod rungs;
 mod scope;
 mod sfc;
 mod shown;
-mod signature;
 mod st;
 mod symbol;
 mod text;

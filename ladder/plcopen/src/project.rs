@@ -114,8 +114,8 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
         let mut run = Vec::new();
         let mut is_named = false;
         for instance in instances {
-            // In CODESYS a program has one instance, and both have one name.
-            let names = ["typeName", "name"].into_iter();
+            // The form before 2.0 says `type`. In CODESYS a program has one instance, and both have one name.
+            let names = ["typeName", "type", "name"].into_iter();
             let mut names = names.filter_map(|name| instance.attribute(name));
             let Some(name) = names.find(|name| !name.is_empty()) else {
                 continue;
@@ -166,8 +166,17 @@ fn pou<'a, 'x: 'a>(node: Node<'a, 'x>) -> Pou<'a, 'x> {
         kind: named("pouType"),
         node,
         variables: sections.flat_map(variables).collect(),
-        body: body.map(|body| (body.tag_name().name(), body)),
+        body: body.map(|body| (language(body), body)),
     }
+}
+
+/// The language of a body, in upper case, as the form has it.
+fn language<'x>(body: Node<'_, 'x>) -> &'x str {
+    let own = body.tag_name().name();
+    let mut known = ["LD", "FBD", "SFC", "ST", "IL"].into_iter();
+    known
+        .find(|known| known.eq_ignore_ascii_case(own))
+        .unwrap_or(own)
 }
 
 fn globals(root: Node<'_, '_>) -> Vec<Variable> {

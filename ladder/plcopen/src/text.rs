@@ -80,6 +80,21 @@ impl Text {
         self.text.push_str(xml.get(range).unwrap_or_default());
     }
 
+    /// Spaces in the place of these parts of what begins there. All keeps its place.
+    pub(crate) fn blank(&mut self, from: usize, parts: &[Range<usize>]) {
+        for part in parts {
+            let range = from + part.start..from + part.end;
+            let own = self.text.get(range.clone()).unwrap_or_default();
+            let blank: String = own
+                .bytes()
+                .map(|byte| if byte == b'\n' { '\n' } else { ' ' })
+                .collect();
+            if blank.len() == range.len() {
+                self.text.replace_range(range, &blank);
+            }
+        }
+    }
+
     /// What stands in the file as it does here: where there, and its first byte here.
     pub(crate) fn copied(&self) -> Vec<(Span, u32)> {
         let copied = self.pieces.iter().filter(|(_, _, is_alike)| *is_alike);

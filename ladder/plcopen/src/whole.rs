@@ -107,10 +107,16 @@ impl Writer<'_> {
         within(root, "pou").for_each(|pou| self.unit(pou));
         for instance in within(root, "pouInstance") {
             // In CODESYS a program has one instance, and both have one name.
-            let typed = instance.attribute("typeName").unwrap_or_default();
-            let name = if typed.is_empty() { "name" } else { "typeName" };
-            self.programs.push(self.here());
-            self.said(instance, name);
+            let names = ["typeName", "type", "name"];
+            let said = |name: &&str| {
+                instance
+                    .attribute(*name)
+                    .is_some_and(|said| !said.is_empty())
+            };
+            if let Some(name) = names.iter().find(|name| said(name)) {
+                self.programs.push(self.here());
+                self.said(instance, name);
+            }
         }
         within(root, "task").for_each(|task| self.said(task, "single"));
     }

@@ -41,6 +41,8 @@ answer! {
     pub struct Known as "MachineFacts" {
         title: Both,
         about: Both,
+        /// The board that it is wired to.
+        board: &'static str,
         svg: String,
         /// What a person there can change.
         hands: Vec<Hand>,
@@ -178,6 +180,7 @@ impl Machine {
         Known {
             title: (&plant.title).into(),
             about: (&plant.about).into(),
+            board: plant.board.id(),
             svg,
             hands: hands(plant),
             parts: plant.parts.iter().map(|own| (&own.label).into()).collect(),

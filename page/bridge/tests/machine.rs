@@ -66,7 +66,7 @@ fn each_machine_is_shown() {
         assert_eq!(look["at"], 200, "{name}");
         count += 1;
     }
-    assert_eq!(count, 18);
+    assert_eq!(count, 20);
 }
 
 #[test]

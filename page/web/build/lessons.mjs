@@ -75,8 +75,9 @@ export function lessons(root) {
  * folders too. */
 const SHELVES = {
   batch: "26", belts: "08 14 28", crossing: "17 34 35 43", cylinders: "24 25 find/03", elevator: "18", filling: "12 33 42",
-  garage: "41", level: "16 21 38 39 40", motor: "05 10 30 31 find/01", oven: "19", parking: "13 36", press: "02 22 29",
-  reversing: "06", sorting: "27 32", "star-delta": "15", "three-bins": "46 47", "three-cylinders": "44 45", "two-tanks": "23 37 find/02",
+  "four-floors": "48 49", garage: "41", level: "16 21 38 39 40", motor: "05 10 30 31 find/01", oven: "19", parking: "13 36", press: "02 22 29",
+  reversing: "06", sorting: "27 32", "star-delta": "15", "three-bins": "46 47", "three-cylinders": "44 45",
+  "two-roads": "50 51", "two-tanks": "23 37 find/02",
 };
 const SHELF = new Map(Object.entries(SHELVES).flatMap(([machine, all]) => all.split(" ").map((number) => [number, `${machine}.toml`])));
 

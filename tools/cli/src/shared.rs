@@ -19,7 +19,9 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 use unoclp_alarm::Alarms;
+use unoclp_client::identity::Identity;
 use unoclp_client::{Failure, Patience};
+use unoclp_core::Board as Kind;
 use unoclp_journal::Sample;
 use unoclp_modbus::client::Request;
 use unoclp_report::Reporter;
@@ -63,7 +65,7 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: impl Pages) -> anyho
             }
             let address = place.line.address;
             let name = place.port.clone();
-            let board = AtPort { place, port: None };
+            let board = AtPort::new(place, Vec::new());
             Some(Sharing {
                 boards: vec![SharedBoard {
                     line: Line::begin(board, address),
@@ -261,7 +263,9 @@ fn boards(line: &unoclp_site::Line) -> impl Iterator<Item = SharedBoard> {
                     ..unoclp_client::Line::default()
                 },
             };
-            Line::begin_shared(AtPort { place, port: None }, &addresses)
+            let kinds = line.boards.iter();
+            let kinds = kinds.map(|board| (board.address, board.points.board));
+            Line::begin_shared(AtPort::new(place, kinds.collect()), &addresses)
         }
         Way::Tcp { server } => Line::begin_shared(Remote::new(server.clone(), absent), &addresses),
     };
@@ -303,19 +307,47 @@ const PATIENCE: Patience = Patience {
 struct AtPort {
     place: Place,
     port: Option<Port>,
+    /// What a site file says that the boards at these addresses are.
+    kinds: Vec<(u8, Kind)>,
+}
+
+impl AtPort {
+    fn new(place: Place, kinds: Vec<(u8, Kind)>) -> AtPort {
+        AtPort {
+            place,
+            port: None,
+            kinds,
+        }
+    }
+
+    /// Whether the board at this address has the points that a site file expects of it.
+    fn has_points(&self, address: u8, identity: &Identity) -> Result<(), String> {
+        let expected = self.kinds.iter().find(|(of, _)| *of == address);
+        let (Some((_, expected)), Some(found)) = (expected, identity.board()) else {
+            return Ok(());
+        };
+        match found.inputs < expected.inputs || found.outputs < expected.outputs {
+            true => Err(messages::board_is_less(identity, expected.name)),
+            false => Ok(()),
+        }
+    }
 }
 
 impl Board for AtPort {
     fn find(&mut self, address: u8, others: bool) -> Result<(), String> {
         self.place.line.address = address;
-        if let Some(port) = self.port.as_mut().filter(|_| others) {
-            let found = port.seek(&self.place, false);
-            return found.map(drop).map_err(|why| why.to_string());
-        }
-        self.port = None;
-        let Found { port, .. } = find(&self.place, PATIENCE).map_err(|why| why.to_string())?;
-        self.port = Some(port);
-        Ok(())
+        let found = match self.port.take() {
+            Some(mut port) if others => {
+                let found = port.seek(&self.place, false);
+                self.port = Some(port);
+                found
+            }
+            _ => find(&self.place, PATIENCE).map(|Found { port, identity, .. }| {
+                self.port = Some(port);
+                identity
+            }),
+        };
+        self.has_points(address, &found.map_err(|why| why.to_string())?)
     }
 
     fn ask(&mut self, request: &Request) -> Result<Vec<u8>, NoAnswer> {

@@ -13,6 +13,8 @@ mod pty;
 
 #[path = "serve/astray.rs"]
 mod astray;
+#[path = "serve/mega.rs"]
+mod mega;
 #[path = "serve/steps.rs"]
 mod steps;
 

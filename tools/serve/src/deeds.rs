@@ -6,6 +6,7 @@ use crate::guard::Who;
 use crate::written::{command, overlaps, written};
 use std::collections::BTreeMap;
 use std::net::IpAddr;
+use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use unoclp_modbus::Table;
@@ -21,13 +22,7 @@ const MINUTE: Duration = Duration::from_secs(60);
 /// Of so many places that machines write it is known what they wrote last.
 const PLACES: usize = 10_000;
 /// What forcing takes: from the first of these registers to the last.
-const FORCING: [unoclp_modbus::map::Span; 5] = [
-    holding::FORCED_INPUTS,
-    holding::INPUTS_TO,
-    holding::FORCED_OUTPUTS,
-    holding::OUTPUTS_TO,
-    holding::FORCING_ENDS,
-];
+const FORCING: Range<u16> = holding::FORCED_INPUTS.first..holding::MORE_TO.first + 1;
 
 /// A machine that writes: no user is called so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -212,7 +207,7 @@ fn deed(request: &Request) -> Option<(&'static str, String, String)> {
         return None;
     } else if is(holding::SETTINGS) {
         "settings"
-    } else if FORCING.iter().copied().any(is) {
+    } else if FORCING.start < range.end && range.start < FORCING.end {
         "force"
     } else {
         "write"
@@ -274,6 +269,10 @@ mod tests {
             (
                 Request::write_word(1, 405, 1),
                 Some(("force", "register 405 = 1")),
+            ),
+            (
+                Request::write_word(1, 408, 1),
+                Some(("force", "register 408 = 1")),
             ),
             (
                 Request::write_word(1, 410, 7),

@@ -19,6 +19,9 @@ const REGISTERS: [Span; 5] = [
     holding::FORCING_ENDS,
 ];
 
+/// Those of the inputs above 16, which only a board with more inputs than an UNO has.
+const MORE: [Span; 2] = [holding::FORCED_MORE, holding::MORE_TO];
+
 /// Who has forced points, and when they are let go.
 #[derive(Debug, Default)]
 pub(crate) struct Forcing {
@@ -27,9 +30,9 @@ pub(crate) struct Forcing {
     heard: Option<Instant>,
 }
 
-/// What a board says of its forcing: the values of [`REGISTERS`].
+/// What a board says of its forcing: the values of [`REGISTERS`], and which inputs above 16 are forced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Forced([u16; REGISTERS.len()]);
+pub(crate) struct Forced([u16; REGISTERS.len()], u16);
 
 impl Forcing {
     /// A request that may change what is forced goes to the board.
@@ -62,43 +65,52 @@ impl Forcing {
 impl Forced {
     /// How long without a request ends it, where something is forced and there is an end.
     fn ends(self) -> Option<Duration> {
-        let Forced([inputs, _, outputs, _, ends]) = self;
-        let is_forced = inputs | outputs != 0;
+        let Forced([inputs, _, outputs, _, ends], more) = self;
+        let is_forced = inputs | outputs | more != 0;
         (is_forced && !matches!(ends, 0 | 255)).then(|| Duration::from_secs(ends.into()))
     }
 
     /// The requests that let go. Outputs are forced to 0 before: they are 0 then until the program writes them, as where
     /// the board itself ends forcing.
     fn releases(self, address: u8) -> impl Iterator<Item = Request> {
-        let Forced([inputs, to, outputs, ..]) = self;
-        let writes = [[inputs, to, outputs, 0], [0; 4]];
-        let first = REGISTERS[0].first;
-        writes
-            .into_iter()
-            .filter_map(move |words| Request::write_words(address, first, &words))
+        let Forced([inputs, to, outputs, ..], more) = self;
+        let [first, of_more] = [REGISTERS[0].first, MORE[0].first];
+        let writes = [[inputs, to, outputs, 0], [0; 4]].map(|words| (first, words.to_vec()));
+        let more = (more != 0).then(|| (of_more, vec![0; MORE.len()]));
+        let writes = more.into_iter().chain(writes);
+        writes.filter_map(move |(first, words)| Request::write_words(address, first, &words))
     }
 }
 
 /// Whether a request may change what is forced.
 pub(crate) fn forces(request: &Request) -> bool {
-    REGISTERS
-        .iter()
-        .any(|&span| request.written(span).is_some())
+    let mut registers = REGISTERS.iter().chain(&MORE);
+    registers.any(|&span| request.written(span).is_some())
 }
 
 /// What the board says; else why it does not.
 pub(crate) async fn forced(line: &Line) -> Result<Forced, Exception> {
-    let [first, .., last] = REGISTERS;
-    let count = last.end() - first.first;
-    let request = Request::read(line.address(), first.table, first.first, count);
+    let values = read(line, REGISTERS).await?;
+    match read(line, MORE).await {
+        Ok([more, _]) => Ok(Forced(values, more)),
+        // It has no such inputs.
+        Err(Exception::IllegalDataAddress) => Ok(Forced(values, 0)),
+        Err(exception) => Err(exception),
+    }
+}
+
+/// The words of these spans, of a word each and in a row.
+async fn read<const N: usize>(line: &Line, spans: [Span; N]) -> Result<[u16; N], Exception> {
+    let Span { table, first, .. } = spans[0];
+    let request = Request::read(line.address(), table, first, N as u16);
     let reply = line.ask(request.clone(), Role::Control).await;
     match request.answer(&reply) {
         Some(Ok(reply)) => {
-            let mut values = [0; REGISTERS.len()];
+            let mut values = [0; N];
             for (value, word) in values.iter_mut().zip(reply.words()) {
                 *value = word;
             }
-            Ok(Forced(values))
+            Ok(values)
         }
         Some(Err(NoReply::Refused(exception))) => Err(exception),
         Some(Err(NoReply::Garbled)) | None => Err(Exception::GatewayTargetSilent),
@@ -121,7 +133,7 @@ mod tests {
         let s = Duration::from_secs;
         let begin = Instant::now();
         let mut forcing = Forcing::default();
-        let forced = |ends| Forced([0, 0, 1, 1, ends]);
+        let forced = |ends| Forced([0, 0, 1, 1, ends], 0);
         // Nobody is known to have forced.
         assert_eq!(forcing.learn(forced(10), begin), Some(begin + s(10)));
         assert_eq!(forcing.learn(forced(10), begin + s(9)), Some(begin + s(10)));
@@ -133,8 +145,9 @@ mod tests {
             (forced(254), Some(275)),
             (forced(255), None),
             (forced(0), None),
-            (Forced([0, 1, 0, 1, 10]), None),
-            (Forced([4, 0, 0, 0, 10]), Some(31)),
+            (Forced([0, 1, 0, 1, 10], 0), None),
+            (Forced([4, 0, 0, 0, 10], 0), Some(31)),
+            (Forced([0, 0, 0, 0, 10], 1 << 7), Some(31)),
         ] {
             let due = forcing.learn(words, begin + s(30));
             assert_eq!(due, ends.map(|ends| begin + s(ends)), "{words:?}");
@@ -147,6 +160,9 @@ mod tests {
         for (request, does) in [
             (Request::write_word(1, 402, 1), true),
             (Request::write_word(1, 406, 1), true),
+            (Request::write_word(1, 407, 1), true),
+            (Request::write_word(1, 408, 1), true),
+            (Request::write_word(1, 409, 1), false),
             (Request::write_word(1, 400, 1), false),
             (several(400), true),
             (several(399), false),

@@ -9,7 +9,7 @@ use std::time::Duration;
 use tokio::time::{Instant, MissedTickBehavior, interval};
 use unoclp_modbus::Table;
 use unoclp_modbus::client::Request;
-use unoclp_modbus::map::{self, Width};
+use unoclp_modbus::map::{self, Span, Width};
 use unoclp_record::now;
 use unoclp_site::{Kind, Place, Point, Points};
 
@@ -46,7 +46,10 @@ pub type Keep = Arc<dyn Fn(Vec<Change>) + Send + Sync>;
 
 /// Reads the board, forever.
 pub(crate) async fn attend(gateway: Arc<Gateway>, watched: Watched, keep: Option<Keep>) {
-    let readings = [false, true].map(|holds| Reading::of(watched.points.recorded(holds)));
+    let readings = [false, true].map(|holds| {
+        let spans = map::of(&watched.points.board);
+        Reading::of(watched.points.recorded(holds), spans)
+    });
     let mut holds = watched.points.program.is_some();
     let mut every = interval(watched.every);
     let mut told = None::<Instant>;
@@ -121,8 +124,8 @@ struct Reading {
 }
 
 impl Reading {
-    fn of(points: Vec<Point>) -> Reading {
-        let areas = areas(&points);
+    fn of(points: Vec<Point>, spans: impl Iterator<Item = Span>) -> Reading {
+        let areas = areas(&points, spans);
         Reading { points, areas }
     }
 
@@ -179,9 +182,9 @@ struct Area {
 }
 
 /// As few requests as read these points: of each span that has some, from the first to the last of them.
-fn areas(points: &[Point]) -> Vec<Area> {
+fn areas(points: &[Point], spans: impl Iterator<Item = Span>) -> Vec<Area> {
     let mut areas = Vec::new();
-    for span in map::ALL {
+    for span in spans {
         let is_there = |place: &Place| {
             place.table == span.table && (span.first..span.end()).contains(&place.first)
         };
@@ -208,6 +211,7 @@ fn areas(points: &[Point]) -> Vec<Area> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use unoclp_client::AT_A_LINE;
 
     fn point(table: Table, first: u16, width: Width) -> Point {
         Point {
@@ -232,7 +236,7 @@ mod tests {
             point(Table::HoldingRegisters, 2194, Width::Long),
             point(Table::InputRegisters, 130, Width::Long),
         ];
-        let areas: Vec<_> = areas(&points)
+        let areas: Vec<_> = areas(&points, map::of(&AT_A_LINE))
             .into_iter()
             .map(|area| (area.table, area.first, area.count))
             .collect();

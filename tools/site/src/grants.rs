@@ -5,6 +5,7 @@ use crate::keys::{At, Keys};
 use crate::mistake::Wrong;
 use crate::points::{Point, own};
 use crate::site::Board;
+use unoclp_modbus::map::{coil, holding};
 
 const EXAMPLE: &str = "[\"estufa.alvo\"]";
 /// As many names as are listed to somebody who looks for one.
@@ -40,7 +41,7 @@ fn grant(path: &str, boards: &[&Board]) -> Result<Grant, Wrong> {
     let while_kept = board.points.program.filter(|_| of_program.is_some());
     let Some(Point {
         name, kind, write, ..
-    }) = of_program.or_else(|| own(point_name))
+    }) = of_program.or_else(|| own(&board.points.board, point_name))
     else {
         return Err(Wrong::NoSuchPoint {
             board: board.name.clone(),
@@ -69,6 +70,17 @@ fn writable(board: &Board) -> String {
     let named = board.points.named.iter();
     let named = named.filter(|point| !point.write.is_empty());
     let mut names: Vec<&str> = named.map(|point| &*point.name).take(LISTED).collect();
-    names.push("Q1–Q4, M1–M64, D1–D98, T1–T87, C1–C16");
+    let own = [
+        ('Q', coil::OUTPUTS),
+        ('M', coil::MARKERS),
+        ('D', holding::REGISTERS),
+        ('T', holding::TIMERS),
+        ('C', holding::COUNTERS),
+    ];
+    let own = own.map(|(kind, span)| {
+        let last = span.on(&board.points.board).values;
+        format!("{kind}1–{kind}{last}")
+    });
+    names.extend(own.iter().map(|range| &**range));
     names.join(", ")
 }

@@ -8,6 +8,7 @@ use crate::site::{Board, Line, Way};
 use std::time::Duration;
 use unoclp_client::AT_A_LINE;
 use unoclp_client::settings::RATES;
+use unoclp_core::Board as Kind;
 use unoclp_modbus::map::{Parity, setting};
 use unoclp_program::Written;
 
@@ -128,7 +129,7 @@ impl Seen {
         }
         let mut boards: Vec<Board> = Vec::new();
         for table in &tables.unwrap_or_default() {
-            table.known(&["address", "unit", "name", "program", "every"]);
+            table.known(&["address", "unit", "name", "kind", "program", "every"]);
             let address = number::<u8>(table, "address", "1", ADDRESSES);
             let address = match (address, table.at("address")) {
                 (Some(address), _) => address,
@@ -150,17 +151,18 @@ impl Seen {
             let unit = unit.unwrap_or(address.clone());
             let name = self.name(table);
             self.unit(table, &unit, &name);
+            let kind = kind(table);
             let program = table.text("program", "\"estufa.st\"");
             let points = program
                 .as_ref()
-                .and_then(|program| points(table, program, files));
+                .and_then(|program| points(table, program, kind, files));
             let every = time(table, "every", "\"500ms\"", ["10ms", "1h"]);
             boards.push(Board {
                 address: address.value,
                 unit: unit.value,
                 name,
                 program: program.map(|program| program.value),
-                points: points.unwrap_or_default(),
+                points: points.unwrap_or_else(|| Points::alone(kind)),
                 every: every.map_or(EVERY, |every| every.value),
             });
         }
@@ -205,11 +207,35 @@ fn is_name(text: &str) -> bool {
         && text.chars().all(of_name)
 }
 
-fn points(table: &Keys<'_>, program: &At<String>, files: &dyn Files) -> Option<Points> {
+/// Which board it is.
+fn kind(table: &Keys<'_>) -> Kind {
+    let Some(At { value, place }) = table.text("kind", "\"mega\"") else {
+        return AT_A_LINE;
+    };
+    let mut kinds = Kind::ALL.into_iter().filter(Kind::has_firmware);
+    kinds
+        .clone()
+        .find(|kind| kind.id() == value)
+        .unwrap_or_else(|| {
+            let names: Vec<_> = kinds
+                .by_ref()
+                .map(|kind| format!("\"{}\"", kind.id()))
+                .collect();
+            let wrong = Amiss::Choice {
+                key: "kind".to_owned(),
+                given: value,
+                known: names.join(", "),
+            };
+            table.notes.wrong(&place, wrong);
+            AT_A_LINE
+        })
+}
+
+fn points(table: &Keys<'_>, program: &At<String>, kind: Kind, files: &dyn Files) -> Option<Points> {
     let file = program.value.clone();
     let wrong = match files.bytes(&file) {
         Err(why) => Wrong::Unreadable { file, why },
-        Ok(bytes) => match Written::new(file.clone(), bytes, AT_A_LINE).check(None) {
+        Ok(bytes) => match Written::new(file.clone(), bytes, kind).check(None) {
             Ok(source) => return Some(Points::of(&source)),
             Err(_) => Wrong::Faulty { file },
         },

@@ -85,7 +85,8 @@ fn board(of: &Board, lang: Lang) -> [String; 2] {
         }
         _ => words::board_alone(lang),
     };
-    let board = words::board(lang, name, address, unit, written(of.every));
+    let kind = points.board.name;
+    let board = words::board(lang, name, kind, address, unit, written(of.every));
     [board, program]
 }
 

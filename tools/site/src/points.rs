@@ -2,7 +2,9 @@
 //!
 //! Owns which addresses hold a point of a name, and how long the name holds. Must not know how a board is read.
 
+use unoclp_client::AT_A_LINE;
 use unoclp_client::diagnostics::Kept;
+use unoclp_core::Board;
 use unoclp_lang::typed::Width;
 use unoclp_modbus::Table;
 use unoclp_modbus::map::{Span, Width as Takes, coil, discrete, holding, input};
@@ -70,24 +72,43 @@ pub struct Point {
 }
 
 /// The points of a board.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Points {
+    /// What the board has.
+    pub board: Board,
     /// How a board keeps the program that gives the names: while it keeps another, none of them holds.
     pub program: Option<Kept>,
     /// Those that the program names.
     pub named: Vec<Point>,
 }
 
+impl Default for Points {
+    /// Those of a board without a program, of the kind that one is taken for.
+    fn default() -> Points {
+        Points::alone(AT_A_LINE)
+    }
+}
+
 impl Points {
+    /// Those of a board without a program.
+    pub fn alone(board: Board) -> Points {
+        Points {
+            board,
+            program: None,
+            named: Vec::new(),
+        }
+    }
+
     /// Those of a board that runs this program.
     pub fn of(source: &Source) -> Points {
         let used = &source.size.used;
+        let board = &source.board();
         // Whatever a text calls it, the program computes with it as a REAL.
         let is_real = |point: &Point| {
             let registers = used
                 .reals
                 .iter()
-                .filter_map(|&register| at(Address::Register(register)));
+                .filter_map(|&register| at(board, Address::Register(register)));
             registers
                 .map(|real| real.read)
                 .any(|read| read == point.read)
@@ -110,15 +131,16 @@ impl Points {
                 };
                 add(
                     &variable.name,
-                    at(address).map(|point| Point { kind, ..point }),
+                    at(board, address).map(|point| Point { kind, ..point }),
                 );
             }
         }
         for (own_name, name) in &point_names(source) {
-            add(name, own(own_name));
+            add(name, own(board, own_name));
         }
         named.sort_by(|a, b| a.name.cmp(&b.name));
         Points {
+            board: *board,
             program: Some(Kept::of(source.program())),
             named,
         }
@@ -129,11 +151,12 @@ impl Points {
         match keeps_program && !self.named.is_empty() {
             true => self.named.clone(),
             false => {
-                let inputs = (1..=discrete::INPUTS.values).map(|n| format!("I{n}"));
-                let outputs = (1..=coil::OUTPUTS.values).map(|n| format!("Q{n}"));
-                let analogue = (0..input::ANALOGUE.values).map(|n| format!("A{n}"));
+                let board = &self.board;
+                let inputs = (1..=board.inputs).map(|n| format!("I{n}"));
+                let outputs = (1..=board.outputs).map(|n| format!("Q{n}"));
+                let analogue = (0..board.analogue).map(|n| format!("A{n}"));
                 let names = inputs.chain(outputs).chain(analogue);
-                names.filter_map(|name| own(&name)).collect()
+                names.filter_map(|name| own(board, &name)).collect()
             }
         }
     }
@@ -145,20 +168,21 @@ impl Points {
     }
 }
 
-/// The point that every board calls so: `I1`, `Q1`, `M1`, `A0`, `D1`; `T1` and `C1`, which are read as what has elapsed or
+/// The point that this board calls so: `I1`, `Q1`, `M1`, `A0`, `D1`; `T1` and `C1`, which are read as what has elapsed or
 /// been counted, and written as the preset.
-pub(crate) fn own(name: &str) -> Option<Point> {
+pub(crate) fn own(board: &Board, name: &str) -> Option<Point> {
     // Lower case is left to names of a program.
     let written = name.starts_with(|first: char| first.is_ascii_uppercase());
-    at(match Address::parse(name).filter(|_| written)? {
+    let address = match Address::parse(name).filter(|_| written)? {
         Address::Timer(number) => Address::Elapsed(number),
         Address::Counter(number) => Address::Count(number),
         other => other,
-    })
+    };
+    at(board, address)
 }
 
-/// What stands at an address, by its own name; none of what a board does not tell.
-fn at(address: Address) -> Option<Point> {
+/// What stands at an address, by its own name; none of what this board does not tell.
+fn at(board: &Board, address: Address) -> Option<Point> {
     let (read, write): (_, &[Span]) = match address {
         Address::Input(_) => (discrete::INPUTS, &[]),
         Address::Output(_) => (coil::OUTPUTS, &[coil::OUTPUTS]),
@@ -184,10 +208,10 @@ fn at(address: Address) -> Option<Point> {
             false => Kind::Unsigned,
         },
         name: address.to_string(),
-        read: Place::of(read, index)?,
+        read: Place::of(read.on(board), index)?,
         write: write
             .iter()
-            .filter_map(|&span| Place::of(span, index))
+            .filter_map(|&span| Place::of(span.on(board), index))
             .collect(),
     })
 }
@@ -195,7 +219,6 @@ fn at(address: Address) -> Option<Point> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use unoclp_client::AT_A_LINE;
     use unoclp_program::Written;
 
     fn points(name: &str, text: &str) -> Points {
@@ -215,7 +238,7 @@ mod tests {
             ("T2", Table::InputRegisters, 130, &[130]),
             ("C1", Table::InputRegisters, 320, &[320]),
         ] {
-            let point = own(name).expect(name);
+            let point = own(&AT_A_LINE, name).expect(name);
             assert_eq!(
                 (point.read.table, point.read.first),
                 (table, first),
@@ -227,8 +250,31 @@ mod tests {
         for name in [
             "", "I0", "I9", "Q5", "M65", "A5", "D99", "D0", "X1", "Q", "Q1x", "é1", "Q256",
         ] {
-            assert_eq!(own(name), None, "{name}");
+            assert_eq!(own(&AT_A_LINE, name), None, "{name}");
         }
+    }
+
+    #[test]
+    fn a_mega_has_more_of_them() {
+        for (name, table, first) in [
+            ("I24", Table::DiscreteInputs, 23),
+            ("Q16", Table::Coils, 15),
+            ("M1", Table::Coils, 16),
+            ("A7", Table::InputRegisters, 7),
+        ] {
+            let point = own(&Board::MEGA, name).expect(name);
+            let place = (point.read.table, point.read.first);
+            assert_eq!(place, (table, first), "{name}");
+        }
+        for name in ["I25", "Q17", "A8"] {
+            assert_eq!(own(&Board::MEGA, name), None, "{name}");
+        }
+        let own = Points::alone(Board::MEGA).recorded(false);
+        assert_eq!(own.len(), 24 + 16 + 8);
+        let text = "LD I24\nST Q16\n".as_bytes().to_vec();
+        let of_mega = Written::new("far.il".to_owned(), text, Board::MEGA);
+        let points = Points::of(&of_mega.check(None).expect("it is right"));
+        assert_eq!(points.board, Board::MEGA);
     }
 
     #[test]

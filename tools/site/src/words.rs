@@ -156,9 +156,9 @@ unoclp_words::messages! {
     parity_none() "no parity" "sem paridade";
     parity_even() "even parity" "paridade par";
     parity_odd() "odd parity" "paridade ímpar";
-    board(name, address, unit, every)
-        "  board {name}: address {address}, unit {unit}, read every {every}"
-        "  placa {name}: endereço {address}, unidade {unit}, lida a cada {every}";
+    board(name, kind, address, unit, every)
+        "  board {name} ({kind}): address {address}, unit {unit}, read every {every}"
+        "  placa {name} ({kind}): endereço {address}, unidade {unit}, lida a cada {every}";
     board_program(program, count, sum)
         "    program {program}: its names ({count}) apply while the board has check sum {sum}"
         "    programa {program}: os nomes dele ({count}) valem enquanto a placa tiver a soma de verificação {sum}";

@@ -95,7 +95,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("colour = 1\n"),
             5,
-            "no key `colour` here; there is `address`, `unit`, `name`, `program`, `every`",
+            "no key `colour` here; there is `address`, `unit`, `name`, `kind`, `program`, `every`",
         ),
         (
             "\n[[line]]\nport = \"a\"\n[[line.board]]\n".into(),
@@ -149,6 +149,11 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             "[[line]]\nport = \"a\"\nparity = \"mark\"\n[[line.board]]\nname = \"x\"\n".into(),
             3,
             "`parity` cannot be mark; choose \"none\"",
+        ),
+        (
+            with("kind = \"due\"\n"),
+            5,
+            "`kind` cannot be due; choose \"uno\", \"nano\", \"mega\"",
         ),
         (
             with("[http]\nlisten = \"localhost\"\n"),
@@ -546,10 +551,10 @@ fn a_right_file_says_what_it_would_do() {
     for part in [
         "page: http://0.0.0.0:80/, open to the network, not encrypted",
         "line a: 115200 baud, no parity",
-        "board x: address 3, unit 7, read every 250ms",
+        "board x (UNO): address 3, unit 7, read every 250ms",
         "program tank.st: its names (3) apply while the board has check sum ",
         "line 10.0.0.7:502: by Modbus TCP",
-        "board y: address 1, unit 1, read every 500ms",
+        "board y (UNO): address 1, unit 1, read every 500ms",
         "no program: points have their own names",
         "history: h.db, every change for 30d, then minutes and hours",
         "journal: on disk every 200ms, at most 256MB",

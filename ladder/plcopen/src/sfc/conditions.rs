@@ -101,7 +101,7 @@ impl<'a, 'x: 'a> Bodies<'_, 'a, 'x> {
                 }
                 Err(word) => self.lacks(transition, list(&word), found),
             },
-            "LD" => {
+            "LD" | "FBD" => {
                 let name = reference(transition.node).unwrap_or_default().to_owned();
                 let mut wired = Wired::new(self, body, found);
                 let Some(said) = wired.coil(&name) else {

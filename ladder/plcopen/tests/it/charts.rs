@@ -252,6 +252,17 @@ fn conditions_and_actions_are_what_they_are_in_each_language() {
         (
             two(reference, &valve),
             format!(
+                "<transitions><transition name=\"go\"><body><FBD>{}</FBD></body></transition></transitions>",
+                "<inVariable localId=\"1\"><connectionPointOut/><expression>a</expression></inVariable>\
+                <block localId=\"2\" typeName=\"NOT\"><inputVariables><variable formalParameter=\"IN\"><connectionPointIn><connection refLocalId=\"1\"/></connectionPointIn></variable></inputVariables><inOutVariables/>\
+                <outputVariables><variable formalParameter=\"OUT\"><connectionPointOut/></variable></outputVariables></block>\
+                <outVariable localId=\"3\"><connectionPointIn><connection refLocalId=\"2\" formalParameter=\"OUT\"/></connectionPointIn><expression>go</expression></outVariable>"
+            ),
+            chart("NOT a", "q(N);", ""),
+        ),
+        (
+            two(reference, &valve),
+            format!(
                 "<transitions><transition name=\"go\">{}</transition></transitions>",
                 ladder.replace("<variable>q<", "<variable>go<")
             ),

@@ -36,6 +36,39 @@ fn structured_text_and_instruction_list_are_compiled() {
 }
 
 #[test]
+fn a_body_may_say_again_what_its_unit_is() {
+    let compiled = |text: &str| import(text, Board::UNO).code.map(|code| codes(&code));
+    let wanted = compiled(&of("ST", "q := a;"));
+    for body in [
+        "PROGRAM Main\nVAR a AT %IX0.0 : BOOL; q : BOOL; END_VAR\nq := a;\nEND_PROGRAM\n",
+        "(* made by a tool *) program Main VAR_INPUT\n END_VAR VAR END_VAR q := a; end_program;",
+        "PROGRAM Main q := a; END_PROGRAM",
+    ] {
+        assert_eq!(compiled(&of("ST", body)), wanted, "{body}");
+    }
+    // Where nothing else declares them, its variables are those of the body.
+    let body = "<ST><xhtml:p>PROGRAM Main\nVAR a AT %IX0.0 : BOOL; q AT %QX0.0 : BOOL; END_VAR\nq := a;\nEND_PROGRAM</xhtml:p></ST>";
+    assert!(compiled(&project("", body)).is_some());
+    // What is wrong in it stands at its place.
+    let text = of(
+        "ST",
+        "PROGRAM Main\nVAR x : BOOL; END_VAR\nq := nothing;\nEND_PROGRAM\n",
+    );
+    let told = import(&text, Board::UNO).diagnostics;
+    assert_eq!(&text[told.first().unwrap().span.range()], "nothing");
+}
+
+#[test]
+fn the_form_before_version_two_and_small_letters_are_read() {
+    let text = of("st", "q := a;").replace("typeName=", "type=");
+    assert!(text.contains(" type=\"Main\""));
+    assert_eq!(
+        import(&text, Board::UNO).code,
+        import(&of("ST", "q := a;"), Board::UNO).code
+    );
+}
+
+#[test]
 fn a_mistake_in_a_body_is_told_at_its_place_in_the_file() {
     let text = of("ST", "q := a AND nothing;\n");
     let made = import(&text, Board::UNO);

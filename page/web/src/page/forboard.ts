@@ -44,6 +44,11 @@ export class ForBoard {
     return chosen;
   }
 
+  /** What the board of this name is called. */
+  nameOf(id: string): string {
+    return this.choices.find((board) => board.id === id)?.name ?? id;
+  }
+
   private show(looked: Looked | null): void {
     const made = looked?.checked.program;
     this.note.hidden = this.chosen.firmware || !made?.unsent;

@@ -6,6 +6,7 @@ import { Refusal } from "../tools/tools";
 import { say, speak, told } from "../words/words";
 import type { Bench, Where } from "./bench";
 import { h } from "./dom";
+import type { ForBoard } from "./forboard";
 import { icon } from "./icons";
 import type { Machines } from "./machines";
 import { announce, note } from "./notes";
@@ -34,6 +35,8 @@ export class MachineArea {
   readonly root = h("section", { class: "card machine", id: "machine", hidden: true, "aria-labelledby": "machine-title" });
   private readonly title = h("span", { id: "machine-title" });
   private readonly about = h("p", { class: "note" });
+  /** That the board of the program lacks points of the machine, and how to choose the one that has them. */
+  private readonly other = h("div", { id: "machine-other", role: "status", hidden: true });
   private readonly age = h("p", { class: "note", id: "machine-age", hidden: true });
   private readonly scene = new Scene("machine-picture");
   private readonly below = h("div", { class: "row machine-hands" });
@@ -49,6 +52,7 @@ export class MachineArea {
   private facts: MachineFacts | null = null;
   private forced = "";
   private beside: Where = "simulated";
+  private besideBoard: unknown = null;
   private mover: Machines | null = null;
   private broken = 0;
   private looking = false;
@@ -61,10 +65,12 @@ export class MachineArea {
     private readonly wired: (facts: MachineFacts | null) => void,
     /** Has the program judged by the rules of the machine, and shows in this element what came of it. */
     private readonly judgeBy: (file: MachineFile, into: HTMLElement) => void,
+    private readonly forBoard: ForBoard,
+    private readonly target: Signal<string>,
   ) {
     const reset = h("button", { type: "button", class: "small", id: "machine-reset", click: () => void this.reset() }, icon("reset"), h("span", { "data-say": "machineReset" }));
     const close = h("button", { type: "button", class: "small quiet", id: "machine-close", "data-say-label": "machineClose", click: () => void this.close() }, "×");
-    this.root.append(h("h3", {}, this.title, close), this.about, this.age, this.scene.root, this.below, h("div", { class: "row" }, reset, this.judging, this.link), this.verdict,
+    this.root.append(h("h3", {}, this.title, close), this.about, this.other, this.age, this.scene.root, this.below, h("div", { class: "row" }, reset, this.judging, this.link), this.verdict,
       this.judged, this.failing);
     speak.follow(() => {
       if (this.file) void this.open(this.file, true);
@@ -76,14 +82,16 @@ export class MachineArea {
     bench.seen.follow((seen) => this.countForced(seen));
     // Beside another board it begins again.
     bench.joined.add((where) => {
-      if (this.file && where !== this.beside) void this.open(this.file);
+      if (this.file && (where !== this.beside || bench.board.value !== this.besideBoard)) void this.open(this.file);
     });
+    target.follow(() => this.compare());
   }
 
   /** Has this machine, as it is at first, or as it is. */
   async open(file: MachineFile, keep = false): Promise<void> {
     const { machines } = this.bench;
     this.beside = this.bench.where.value;
+    this.besideBoard = this.bench.board.value;
     try {
       const facts = await machines.ask("machine", { name: file.name, text: file.text, speak: speak.value, keep, board: this.bench.board.value.id, ...(file.find === undefined ? {} : { find: file.find }) });
       const before = this.mover;
@@ -129,9 +137,23 @@ export class MachineArea {
       const box = h("input", { type: "checkbox", change: () => void this.ask("machineFault", { part, fault, is: box.checked }) });
       return h("label", { class: "switch" }, box, h("span", {}, `${partName(facts, part)}: ${told(name)}`));
     }));
+    this.compare();
     this.root.hidden = false;
     this.wired(facts);
     if (!this.looking) void this.look();
+  }
+
+  /** Whether the board that the program is written for has the points of the machine; else one may choose that which has. */
+  private compare(): void {
+    const { facts } = this;
+    if (!facts) return;
+    const { name, inputs, analogue, outputs } = this.forBoard.chosen;
+    const [ins, readings, outs] = facts.uses.map((numbers) => Math.max(0, ...numbers)) as [number, number, number];
+    this.other.hidden = ins <= inputs && outs <= outputs && (facts.uses[1].length === 0 || readings < analogue);
+    if (this.other.hidden) return;
+    const board = this.forBoard.nameOf(facts.board);
+    const choose = h("button", { type: "button", class: "small", id: "machine-board", click: () => { this.target.value = facts.board; } }, say("machineOther", { board }));
+    this.other.replaceChildren(h("p", {}, say("machineLacks", { board, ins, outs, name, inputs, outputs })), choose);
   }
 
   /** Lets go of it. */

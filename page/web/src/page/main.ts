@@ -132,7 +132,7 @@ async function load(): Promise<void> {
     { id: "settings", title: "tabSettings", isRare: true, panel: settings, shown: () => void settingsTab().then((tab) => tab?.read()) },
   ]);
   const judged = later(() => import("./judged"));
-  const machine = new MachineArea(bench, (facts) => panel.fold(facts !== null), (file, into) => void judged().then((part) => part?.judge(remote, program, file, into)));
+  const machine = new MachineArea(bench, (facts) => panel.fold(facts !== null), (file, into) => void judged().then((part) => part?.judge(remote, program, file, into)), forBoard, program.board);
   const start = startControl(bench, program, forBoard, tabs, () => view.goDraw());
   const desk = new Desk(bench);
   const panel = new Panel(byId("board"), bench, slot, desk.about, machine.root);

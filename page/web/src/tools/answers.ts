@@ -273,6 +273,8 @@ export interface Live {
 export interface MachineFacts {
   readonly title: Both;
   readonly about: Both;
+  /** The board that it is wired to. */
+  readonly board: string;
   readonly svg: string;
   /** What a person there can change. */
   readonly hands: readonly Hand[];

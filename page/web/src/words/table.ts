@@ -106,6 +106,8 @@ export const TABLE = {
   machineBrokeNow: ["Rule broken", "Regra violada"],
   machineDesk: ["This machine uses analogue inputs or PWM, and the page cannot drive those of a real board. Disconnect the board to use the simulated UNO.", "Esta máquina usa entradas analógicas ou PWM, e a página não comanda as de uma placa real. Desconecte a placa para usar o UNO simulado."],
   machineAge: ["The page reads the board every {ms} ms and forces its inputs. The program misses what the machine does faster than that.", "A página lê a placa a cada {ms} ms e força as entradas. O que a máquina faz mais rápido que isso escapa ao programa."],
+  machineLacks: ["This machine is wired to a {board}: it uses inputs up to I{ins} and outputs up to Q{outs}. The {name} has {inputs} inputs and {outputs} outputs.", "Esta máquina está ligada a um {board}: usa entradas até I{ins} e saídas até Q{outs}. O {name} tem {inputs} entradas e {outputs} saídas."],
+  machineOther: ["Write the program for the {board}", "Escrever o programa para o {board}"],
   machineDied: ["The machine's simulation stopped. Open the machine again.", "A simulação da máquina parou. Abra a máquina de novo."],
   machineSolve: ["See a program for it", "Ver um programa para ela"],
   heldByNone: ["No board holds this program: {why}.", "Nenhuma placa comporta este programa: {why}."],

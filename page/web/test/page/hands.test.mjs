@@ -281,7 +281,7 @@ const STEPS = [
   }],
   ["the ladder is enlarged, the page made dark, and spoken in Portuguese", async (page, hand) => {
     await still(page);
-    const width = async () => Number(await page.getAttribute(".ladder svg, svg.ladder", "width"));
+    const width = async () => Number(await page.getAttribute("#ladder svg", "width"));
     const before = await width();
     await hand.press(page, named(page, "Larger"));
     assert.ok((await width()) > before);

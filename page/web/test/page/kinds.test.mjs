@@ -41,7 +41,7 @@ async function exercise(page, number) {
 
 test("a fault is looked for: pressed, forced, watched, and named from lists", async () => {
   const page = await lab.open();
-  await exercise(page, 48);
+  await exercise(page, 52);
   assert.equal(await page.locator("#exercise-list option:checked").evaluate((option) => option.closest("optgroup")?.label), "Find the fault");
   await page.locator("#exercise h3 .chip", { hasText: "Find the fault" }).waitFor();
   await page.locator("#find-part").waitFor();
@@ -87,7 +87,7 @@ test("a fault is looked for: pressed, forced, watched, and named from lists", as
 
 test("a program is written again in another language, the given one beside", async () => {
   const page = await lab.still();
-  await exercise(page, 51);
+  await exercise(page, 55);
   await page.locator("#given .ladder [data-point=\"Q2\"]").first().waitFor();
   await page.locator("#given", { hasText: "Write it in Structured Text." }).waitFor();
   const check = async (/** @type {string} */ path) => {
@@ -104,7 +104,7 @@ test("a program is written again in another language, the given one beside", asy
   await page.locator("#verdict.good").waitFor();
   assert.deepEqual(await findings(page), []);
   await shots(page, "write", "#given");
-  await page.selectOption("#exercise-list", { index: 51 });
+  await page.selectOption("#exercise-list", { index: 55 });
   await page.locator("#given pre", { hasText: "PROGRAM voting" }).waitFor();
   await page.click("#exercise-begin");
   assert.equal(await page.inputValue("#name"), "02-into-ladder.il");

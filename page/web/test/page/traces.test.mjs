@@ -16,10 +16,10 @@ const SPAN = 600_000;
 test("each machine has the trace that it has natively", async () => {
   const module = await load("unoclp-full.wasm");
   const lines = file("tools/exercise/tests/traces.txt").trim().split("\n");
-  assert.equal(lines.length, 18);
+  assert.equal(lines.length, 20);
   for (const line of lines) {
     const [name = "", trace] = line.split(" ");
-    const request = { ask: "trace", of: { name: `${name}.st`, text: file(`programs/plants/${name}.st`) }, plant: `${name}.toml`, plantText: file(`programs/plants/${name}.toml`), ms: SPAN };
+    const request = { ask: "trace", of: { name: `${name}.st`, text: file(`programs/plants/${name}.st`), board: /^board = "(.*)"$/m.exec(file(`programs/plants/${name}.toml`))?.[1] ?? "uno" }, plant: `${name}.toml`, plantText: file(`programs/plants/${name}.toml`), ms: SPAN };
     assert.equal(ask(module, request).ok, trace, name);
   }
 });

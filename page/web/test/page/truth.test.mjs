@@ -280,7 +280,7 @@ test("a teacher's file of an exercise is opened as one, another check is named; 
   await choose(page, "teacher.toml", Buffer.from(toml));
   await page.locator("#exercise #exercise-check").waitFor();
   await page.locator("#notes", { hasText: "This file is an exercise" }).waitFor();
-  assert.equal(await page.locator("#exercise-list option").count(), 55);
+  assert.equal(await page.locator("#exercise-list option").count(), 59);
   await choose(page, "broken.toml", Buffer.from("until = [\n"));
   await page.locator("#notes", { hasText: /not a program, and it cannot be opened as an exercise/ }).waitFor();
   assert.match((await page.textContent(".cm-content")) ?? "", /mine/);

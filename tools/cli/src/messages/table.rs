@@ -313,6 +313,9 @@ unoclp_words::messages! {
         "este sistema não confia em nenhum certificado; instale ca-certificates, ou indique um em `ca`";
     board_found(name) "{name}: found" "{name}: encontrada";
     board_away(name, why) "{name}: not reachable: {why}" "{name}: fora do ar: {why}";
+    board_is_less(identity, kind)
+        "{identity} answers, which has fewer points than a {kind}; change `kind` in the site file, or the board"
+        "quem responde é {identity}, com menos pontos que um {kind}; mude `kind` no arquivo de instalação, ou a placa";
     board_keeps(name, program) "{name}: has {program}" "{name}: tem {program}";
     board_keeps_other(name, program)
         "{name}: has a program other than {program}, so the names in that file do not apply; upload it"

@@ -16,6 +16,7 @@ mod handed_in;
 mod hostile;
 mod instruction_list;
 mod kept;
+mod lacking;
 mod languages;
 mod list;
 #[cfg(unix)]

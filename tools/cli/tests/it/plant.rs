@@ -20,6 +20,18 @@ fn a_program_that_controls_a_machine_well_passes() {
     );
 }
 
+/// Its program is for the board that it names; for one that lacks its points it is not compiled.
+#[test]
+fn a_machine_brings_its_board() {
+    let (program, plant) = (plants("three-bins.st"), plants("three-bins.toml"));
+    let (code, said, told) = outcome(&["sim", &program, "--plant", &plant]);
+    assert_eq!(code, 0, "{said}{told}");
+    let arguments = ["sim", &program, "--plant", &plant, "--board", "uno"];
+    let (code, said, told) = outcome(&arguments);
+    assert_ne!(code, 0, "{said}");
+    assert!(told.contains("add --board mega"), "{told}");
+}
+
 #[test]
 fn a_rule_that_breaks_is_told_with_its_second_and_drawn() {
     let folder = empty_folder("plant-broken");

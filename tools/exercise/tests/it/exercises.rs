@@ -58,7 +58,7 @@ pub(crate) fn program(path: &Path, board: Board) -> ProgramFile {
 #[test]
 fn each_exercise_says_what_to_do_in_both_languages() {
     let all = exercises();
-    assert_eq!(all.len(), 51);
+    assert_eq!(all.len(), 55);
     for (name, exercise) in all {
         let titles = exercise.cases().iter().map(|case| &case.title);
         let task = exercise.task.iter();

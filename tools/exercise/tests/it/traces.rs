@@ -18,7 +18,7 @@ const SPAN: u64 = 600_000;
 #[test]
 fn each_machine_has_its_trace() {
     let all = files("plants", &["toml"]);
-    assert_eq!(all.len(), 18);
+    assert_eq!(all.len(), 20);
     let traced = |file: &Path| {
         let plant = read(&fs::read_to_string(file).unwrap(), Board::UNO).unwrap();
         let model = file.with_extension("st");

@@ -37,7 +37,7 @@ fn plants() -> Vec<(String, Plant)> {
         .filter(|file| file.extension().is_some_and(|end| end == "toml"))
         .collect();
     files.sort();
-    assert_eq!(files.len(), 18);
+    assert_eq!(files.len(), 20);
     let read = |file: PathBuf| {
         let name = file.file_stem().unwrap().to_str().unwrap().to_owned();
         (name, plant(&fs::read_to_string(file).unwrap()))

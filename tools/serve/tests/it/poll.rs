@@ -28,6 +28,7 @@ fn point(name: &str, kind: Kind, table: Table, first: u16, width: Width) -> Poin
 fn points() -> Points {
     let registers = Table::HoldingRegisters;
     Points {
+        board: unoclp_core::Board::UNO,
         program: Some(kept(3)),
         named: vec![
             point(

@@ -1,5 +1,11 @@
 //! Elements of a drawn body that come and go: contacts, coils, values, variables and blocks, with the wires that follow them.
 //! What stands in their way makes room; all else of the file stays as it is.
+//!
+//! - `sheet`: what is drawn; `new`: what is drawn anew; `signature`: the pins of a new block
+
+mod new;
+mod sheet;
+mod signature;
 
 use crate::alter::attribute;
 use crate::bodies::body;
@@ -7,9 +13,10 @@ use crate::edges::{append, lead, removed, spliced};
 use crate::export::escaped;
 use crate::found::Found;
 use crate::rows;
-use crate::signature::{Signature, signature};
 use crate::xml::{self, all, first, within};
+use new::New;
 use roxmltree::Node;
+use sheet::{Sheet, connection};
 use std::fmt::Write as _;
 use std::ops::Range;
 
@@ -85,185 +92,6 @@ pub fn erase(text: &str, unit: &str, at: &str) -> Option<String> {
     let values = sheet.body.children().filter(Node::is_element);
     pieces.extend(values.filter(is_lonely).map(|value| removed(text, value)));
     Some(spliced(text, pieces))
-}
-
-/// A drawn body.
-struct Sheet<'t, 'a, 'x> {
-    text: &'t str,
-    body: Node<'a, 'x>,
-    is_blocks: bool,
-    /// The largest number of an element.
-    last: u64,
-}
-
-impl<'t, 'a, 'x: 'a> Sheet<'t, 'a, 'x> {
-    fn of(text: &'t str, body: Node<'a, 'x>) -> Option<Sheet<'t, 'a, 'x>> {
-        let is_blocks = match body.tag_name().name() {
-            "LD" => false,
-            "FBD" => true,
-            _ => return None,
-        };
-        let ids = body.children().filter_map(|node| node.attribute("localId"));
-        let last = ids.filter_map(|id| id.parse().ok()).max().unwrap_or(0);
-        Some(Sheet {
-            text,
-            body,
-            is_blocks,
-            last,
-        })
-    }
-
-    fn element(&self, id: &str) -> Option<Node<'a, 'x>> {
-        let mut elements = self.body.children();
-        elements.find(|node| node.attribute("localId") == Some(id))
-    }
-
-    /// The pin of an element that power, or its first value, comes to.
-    fn power(&self, node: Node<'a, 'x>) -> Option<Node<'a, 'x>> {
-        first(node, "connectionPointIn").or_else(|| {
-            let pins = all(first(node, "inputVariables")?, "variable");
-            let mut pins = pins.filter_map(|pin| first(pin, "connectionPointIn"));
-            pins.next()
-        })
-    }
-
-    /// The wires that lead to a pin, without the points between.
-    fn wires(&self, pin: Node<'a, 'x>) -> Vec<String> {
-        let wire = |wire: Node<'_, '_>| {
-            let of = |name| wire.attribute(name).filter(|said| !said.is_empty());
-            Some(connection(of("refLocalId")?, of("formalParameter")))
-        };
-        all(pin, "connection").filter_map(wire).collect()
-    }
-
-    /// The wires that come from an element.
-    fn readers(&self, id: &str) -> Vec<Node<'a, 'x>> {
-        let wires = within(self.body, "connection");
-        let own = wires.filter(|wire| wire.attribute("refLocalId") == Some(id));
-        own.collect()
-    }
-
-    /// Where an element stands.
-    fn place(&self, node: Node<'_, '_>) -> Option<(f64, f64)> {
-        let at = first(node, "position")?;
-        let number = |name| {
-            at.attribute(name)?
-                .parse::<f64>()
-                .ok()
-                .filter(|n| n.is_finite())
-        };
-        Some((number("x")?, number("y")?))
-    }
-
-    /// The output of an element that goes on: the one that something takes already, otherwise its first.
-    fn output(&self, node: Node<'a, 'x>, id: &str) -> Option<&'a str> {
-        let taken = self.readers(id).into_iter();
-        let mut taken = taken.filter_map(|wire| wire.attribute("formalParameter"));
-        taken.next().filter(|name| !name.is_empty()).or_else(|| {
-            let list = first(node, "outputVariables")?;
-            let mut names = all(list, "variable").filter_map(|of| of.attribute("formalParameter"));
-            let first = names.next()?;
-            match first == "ENO" && self.is_blocks {
-                true => names.next(),
-                false => Some(first),
-            }
-        })
-    }
-}
-
-/// The element of a wire.
-fn connection(from: &str, output: Option<&str>) -> String {
-    let output = output.map_or(String::new(), |name| {
-        format!(" formalParameter=\"{}\"", escaped(name))
-    });
-    format!("<connection refLocalId=\"{}\"{output}/>", escaped(from))
-}
-
-/// What is to be drawn.
-struct New {
-    /// The name of its XML element.
-    kind: &'static str,
-    /// The variable of a contact or a coil, an expression, the type of a block.
-    written: String,
-    /// Of a block.
-    signature: Signature,
-    /// The instance that it is called with, and its type.
-    instance: Option<(String, String)>,
-}
-
-impl New {
-    fn of(sheet: &Sheet<'_, '_, '_>, root: Node<'_, '_>, unit: &str, what: &str) -> Option<New> {
-        let pou = within(root, "pou").find(|pou| crate::alter::is_named(*pou, unit))?;
-        let plain = |kind, written| {
-            let (signature, instance) = (Signature::default(), None);
-            Some(New {
-                kind,
-                written,
-                signature,
-                instance,
-            })
-        };
-        match (what, sheet.is_blocks) {
-            ("contact", false) => plain("contact", usual(pou, true)),
-            ("coil", false) => plain("coil", usual(pou, false)),
-            ("value", true) => plain("inVariable", usual(pou, true)),
-            ("variable", true) => plain("outVariable", usual(pou, false)),
-            ("contact" | "coil" | "value" | "variable", _) => None,
-            _ => {
-                let signature = signature(root, what, sheet.is_blocks)?;
-                let instance = signature.is_instance.then(|| {
-                    let names: Vec<String> = within(pou, "variable")
-                        .filter_map(|of| Some(of.attribute("name")?.to_uppercase()))
-                        .collect();
-                    let numbered = (1..).map(|number| format!("{what}_{number}"));
-                    let mut free = numbered.filter(|name| !names.contains(&name.to_uppercase()));
-                    (free.next().unwrap_or_default(), what.to_owned())
-                });
-                Some(New {
-                    kind: "block",
-                    written: what.to_owned(),
-                    signature,
-                    instance,
-                })
-            }
-        }
-    }
-
-    /// The output that power goes on from.
-    fn output(&self) -> Option<&str> {
-        self.signature.goes_on.as_deref()
-    }
-
-    fn rows(&self) -> usize {
-        let Signature {
-            inputs, outputs, ..
-        } = &self.signature;
-        inputs.len().max(outputs.len())
-    }
-}
-
-/// The variable that a new contact reads or a new coil writes, until somebody says another.
-fn usual(pou: Node<'_, '_>, is_read: bool) -> String {
-    let sections = match is_read {
-        true => ["inputVars", "localVars", "outputVars"],
-        false => ["outputVars", "localVars", "inOutVars"],
-    };
-    let interface = first(pou, "interface");
-    let variables = sections.iter().flat_map(|name| {
-        let own = interface.into_iter().flat_map(|of| all(of, name));
-        own.flat_map(|section| all(section, "variable"))
-    });
-    let fits = |variable: &Node<'_, '_>| {
-        let is_bool = first(*variable, "type").is_some_and(|kind| first(kind, "BOOL").is_some());
-        let address = variable
-            .attribute("address")
-            .unwrap_or_default()
-            .to_uppercase();
-        is_bool && (is_read || !address.starts_with("%I"))
-    };
-    let mut fitting = variables.filter(fits);
-    let name = fitting.next().and_then(|of| of.attribute("name"));
-    name.unwrap_or("FALSE").to_owned()
 }
 
 /// A body that grows.
