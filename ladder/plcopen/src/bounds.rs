@@ -132,6 +132,6 @@ fn namespaces() -> Word {
 }
 
 fn nesting() -> Word {
-    let en = format!("more than {DEPTH} elements within each other");
+    let en = format!("more than {DEPTH} nested elements");
     (en, format!("mais de {DEPTH} elementos um dentro do outro")).into()
 }

@@ -113,8 +113,8 @@ impl Coder<'_, '_> {
             self.lacking(
                 at,
                 (
-                    "a power whose exponent is computed",
-                    "uma potência de expoente calculado",
+                    "a power with a computed exponent",
+                    "uma potência com expoente calculado",
                 ),
                 (
                     "write a whole number as the exponent, or multiply in a loop",

@@ -122,7 +122,7 @@ fn expression(expr: &Expr, found: &mut Found) {
 
 fn lacking_function(function: Extra, at: Span, found: &mut Found) {
     let what = match function {
-        Extra::Power => Word::from(("a power of a REAL exponent", "potência de expoente REAL")),
+        Extra::Power => Word::from(("a power with a REAL exponent", "potência com expoente REAL")),
         _ => format!("{function:?}").to_uppercase().into(),
     };
     let is_text = matches!(function, Extra::Len | Extra::Find);
@@ -144,7 +144,7 @@ fn instead(base: Base) -> (&'static str, &'static str) {
         Base::Ulint => ("use UDINT", "use UDINT"),
         Base::Lword => ("use DWORD", "use DWORD"),
         _ => (
-            "show numbers in place of texts, for example an enumeration",
+            "show numbers instead of strings, for example an enumeration",
             "mostre números em vez de textos, por exemplo uma enumeração",
         ),
     }

@@ -31,12 +31,9 @@ pub(crate) fn check(text: &str, units: &[Unit], writes: bool, found: &mut Found)
     if found.has_errors() {
     } else if !acts(program) {
         let missing: (&str, &str) = match (others, program.vars.as_slice()) {
-            ([], []) => (
-                "the text has no instruction",
-                "o texto não tem nenhuma instrução",
-            ),
+            ([], []) => ("the text has no instructions", "o texto não tem instruções"),
             ([], _) => (
-                "it has declarations, but no instruction",
+                "it has declarations, but no instructions",
                 "há declarações, mas nenhuma instrução",
             ),
             _ => (

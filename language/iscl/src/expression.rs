@@ -163,8 +163,8 @@ impl Parser<'_, '_> {
             }
             (Sign::Text, _) => {
                 let help = (
-                    "there are INT, REAL and BOOL, and no texts",
-                    "há INT, REAL e BOOL, mas não há textos",
+                    "there are only INT, REAL and BOOL, and no strings",
+                    "há só INT, REAL e BOOL, e não há textos",
                 );
                 let words = [self.cursor.short(token.span).into(), help.into()];
                 self.cursor.tell(Code::IsclLacks, token.span, words);

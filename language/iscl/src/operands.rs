@@ -49,10 +49,8 @@ impl Checker<'_, '_> {
                 format!("compare-o: {name} := {written} <> 0"),
             ),
             _ => both(
-                format!("ask for it: IF {written} THEN {name} := 1; ELSE {name} := 0; END_IF"),
-                format!(
-                    "pergunte por ele: IF {written} THEN {name} := 1; ELSE {name} := 0; END_IF"
-                ),
+                format!("test it: IF {written} THEN {name} := 1; ELSE {name} := 0; END_IF"),
+                format!("teste-o: IF {written} THEN {name} := 1; ELSE {name} := 0; END_IF"),
             ),
         };
         let is = self.type_of(value);
@@ -90,8 +88,8 @@ impl Checker<'_, '_> {
         let written = self.builder.written(operand.at);
         let help = match sign {
             "NOT" => both(
-                format!("NOT binds close: write NOT ({written} = …)"),
-                format!("NOT pega só o que vem logo depois: escreva NOT ({written} = …)"),
+                format!("NOT applies only to what follows it: write NOT ({written} = …)"),
+                format!("NOT vale só para o que vem logo depois: escreva NOT ({written} = …)"),
             ),
             _ => both(
                 format!("compare it with something: {written} <> 0"),

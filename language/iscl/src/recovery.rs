@@ -189,7 +189,7 @@ impl Parser<'_, '_> {
                     "dê a cada valor uma variável própria",
                 ),
                 _ => (
-                    "write the whole: x := x + 1",
+                    "write it out: x := x + 1",
                     "escreva por extenso: x := x + 1",
                 ),
             },

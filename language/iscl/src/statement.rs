@@ -269,7 +269,7 @@ impl Parser<'_, '_> {
         let written = self.cursor.short(span);
         let help = match (token.sign, self.cursor.sign()) {
             (Sign::Text, _) => (
-                "InterSCL has no texts: print a variable, PRINT(x)".to_owned(),
+                "InterSCL has no strings: print a variable, PRINT(x)".to_owned(),
                 "o InterSCL não tem textos: mostre uma variável, PRINT(x)".to_owned(),
             ),
             (_, Sign::Comma) => (

@@ -200,8 +200,8 @@ pub(super) fn lacking(word: &str) -> Option<(&'static str, &'static str)> {
             "calcule o resto: a - a / b * b",
         ),
         "XOR" => (
-            "two BOOL differ where a <> b holds",
-            "dois BOOL são diferentes quando vale a <> b",
+            "for an exclusive OR of two BOOL, write a <> b",
+            "para o OU exclusivo de dois BOOL, escreva a <> b",
         ),
         "BY" => (
             "FOR counts by 1; write WHILE for other steps",

@@ -119,8 +119,8 @@ impl Parser<'_, '_> {
             self.cursor.advance();
         } else {
             let help = (
-                "a value is stored so: V0 := 1;",
-                "um valor se guarda assim: V0 := 1;",
+                "store a value like this: V0 := 1;",
+                "guarde um valor assim: V0 := 1;",
             );
             self.cursor.expect(Sign::Assign, ":=", help)?;
         }
@@ -146,7 +146,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// Tells that a space is missing beside an operator.
+    /// Tells that a space is missing next to an operator.
     pub(super) fn told_space(&mut self, start: u32, sign: Span) {
         let span = Span {
             start,
@@ -257,7 +257,7 @@ impl Parser<'_, '_> {
                 "dê a cada valor uma variável própria",
             ),
             _ => (
-                "write the whole: V0 := V0 + 1;",
+                "write it out: V0 := V0 + 1;",
                 "escreva por extenso: V0 := V0 + 1;",
             ),
         };

@@ -96,7 +96,7 @@ impl Checker<'_, '_> {
             ),
             Some(near) => Word::Near(near.to_string()),
             None => both(
-                format!("name a variable so: var V0 = {text};"),
+                format!("give a variable this name: var V0 = {text};"),
                 format!("dê esse nome a uma variável: var V0 = {text};"),
             ),
         };

@@ -71,8 +71,8 @@ impl<'t> Parser<'t, '_> {
                     "escreva um nome seu depois do =: V0 = nivel;".to_owned(),
                 ),
                 _ => (
-                    format!("a first value is stored by a command: {place} := {name};"),
-                    format!("um primeiro valor se guarda com um comando: {place} := {name};"),
+                    format!("store an initial value with a command: {place} := {name};"),
+                    format!("guarde um valor inicial com um comando: {place} := {name};"),
                 ),
             };
             let span = first.span.to(second.span);

@@ -145,7 +145,7 @@ pub(super) fn lacking(word: &str) -> Option<(&'static str, &'static str)> {
         "true" | "verdadeiro" => ("write 1", "escreva 1"),
         "false" | "falso" => ("write 0", "escreva 0"),
         "int" | "real" | "bool" | "float" | "inteiro" => (
-            "no type is declared: V0, V1, … are there, and var names them: V0 = nivel;",
+            "no type is declared: V0, V1, … exist already, and var names them: V0 = nivel;",
             "não se declara tipo: V0, V1, … já existem, e var lhes dá nome: V0 = nivel;",
         ),
         "print" | "imprima" | "escreva" => (

@@ -302,9 +302,9 @@ impl Act {
 }
 
 unoclp_words::messages! {
-    drawn_parts() "this chart has drawn conditions or actions; change it in the program that drew it" "este SFC tem condições ou ações desenhadas; mude-o no programa que o desenhou";
+    drawn_parts() "this chart has drawn conditions or actions; change it in the editor that drew it" "este SFC tem condições ou ações desenhadas; mude-o no editor que o desenhou";
     not_there() "the selected element no longer exists" "o elemento selecionado já não existe";
-    select_step() "select a step first; the initial step has nothing beside it" "selecione antes uma etapa; a etapa inicial não tem outra ao lado";
+    select_step() "select a step first; no step can be parallel to the initial step" "selecione antes uma etapa; nenhuma etapa pode ser paralela à etapa inicial";
     select_transition() "select a transition first" "selecione antes uma transição";
     last_step() "a chart has at least one step" "um SFC tem pelo menos uma etapa";
     no_name() "this is not a name" "isto não é um nome";

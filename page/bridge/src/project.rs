@@ -225,7 +225,7 @@ fn named(to: &str) -> Result<String, No> {
 }
 
 unoclp_words::messages! {
-    no_project() "this is no project in PLCopen XML" "isto não é um projeto em PLCopen XML";
+    no_project() "this is not a PLCopen XML project" "isto não é um projeto PLCopen XML";
     not_so() "this part of the project cannot be changed here" "esta parte do projeto não pode ser mudada aqui";
     no_name(name) "`{name}` is not a name: write letters, digits and `_`, with no space" "`{name}` não é um nome: escreva letras, algarismos e `_`, sem espaço";
 }

@@ -46,7 +46,7 @@ unoclp_words::messages! {
     no_request(why) "the page sent a request that cannot be understood: {why}" "a página enviou um pedido incompreensível: {why}";
     no_such_board(name) "there is no board {name}: ask for uno, nano or pc" "não existe a placa {name}: peça uno, nano ou pc";
     no_board(session) "there is no session {session}" "não existe a sessão {session}";
-    no_version(version) "the page asked about text {version}, which is no longer known; change the text and try again" "a página perguntou pelo texto {version}, que não é mais conhecido; altere o texto e tente de novo";
+    no_version(version) "the page asked about version {version} of the text, which no longer exists; edit the text and try again" "a página perguntou pela versão {version} do texto, que não existe mais; edite o texto e tente de novo";
     too_long(most) "the text is longer than {most} bytes" "o texto passa de {most} bytes";
     faulty() "the program has errors; see the problems" "o programa tem erros; veja os problemas";
     no_scenario(line, why) "the check itself has an error in line {line}: {why}" "a própria verificação tem um erro na linha {line}: {why}";
@@ -56,8 +56,8 @@ unoclp_words::messages! {
         "this exercise asks for a program in `{language}`; give your file that ending"
         "este exercício pede um programa em `{language}`; dê essa extensão ao seu arquivo";
     hidden_chances()
-        "with other, hidden chances, the machine does not do what it should"
-        "com outros acasos, ocultos, a máquina não faz o que deve";
+        "with other, hidden random values, the machine does not do what it should"
+        "com outros valores aleatórios, ocultos, a máquina não faz o que deve";
     no_find() "this exercise has no hidden fault" "este exercício não tem uma falha escondida";
     cannot_fail(name)
         "the machine {name} cannot have the hidden fault of this exercise"

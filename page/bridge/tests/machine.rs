@@ -396,7 +396,7 @@ fn what_is_hidden_of_an_exercise_is_not_told() {
     let fared = &came["machine"];
     assert_eq!(fared["at"], Value::Null, "{came}");
     let why = fared["why"].to_string();
-    assert!(why.contains("other, hidden chances"), "{why}");
+    assert!(why.contains("other, hidden random values"), "{why}");
     for told in ["metal", "2.599", "(2)"] {
         assert!(!came.to_string().contains(told), "{told}: {came}");
     }

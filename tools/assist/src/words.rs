@@ -38,10 +38,10 @@ unoclp_words::messages! {
     up() "counts up when CU rises; Q is 1 from CV = PV on; R clears CV" "conta para cima quando CU sobe; Q fica em 1 a partir de CV = PV; R zera CV";
     down() "counts down when CD rises; Q is 1 when CV is 0 or less; LD loads PV" "conta para baixo quando CD sobe; Q fica em 1 quando CV é 0 ou menor; LD carrega PV";
     both_ways() "counts up with CU and down with CD; R clears CV, LD loads PV" "conta para cima com CU e para baixo com CD; R zera CV, LD carrega PV";
-    pulse() "Q is 1 for the time PT, from when IN rises" "Q fica em 1 pelo tempo PT, desde que IN sobe";
-    on_delay() "Q follows once IN has been 1 for the time PT" "Q segue quando IN está em 1 há o tempo PT";
-    off_delay() "Q stays 1 for the time PT after IN falls" "Q fica em 1 pelo tempo PT depois que IN cai";
-    retentive() "Q follows once IN has been 1 for PT in total; a reset clears the time" "Q segue quando IN ficou em 1 por PT ao todo; um reset zera o tempo";
+    pulse() "Q is 1 for the time PT after IN rises" "Q fica em 1 durante o tempo PT a partir da subida de IN";
+    on_delay() "Q becomes 1 once IN has been 1 for the time PT" "Q vai a 1 quando IN fica em 1 durante o tempo PT";
+    off_delay() "Q stays 1 for the time PT after IN falls" "Q fica em 1 durante o tempo PT depois da descida de IN";
+    retentive() "Q becomes 1 once IN has been 1 for PT in total; a reset clears the time" "Q vai a 1 quando IN soma o tempo PT em 1; um reset zera o tempo";
 }
 
 /// What a function block of the standard does.

@@ -23,7 +23,7 @@ unoclp_words::messages! {
         "o arquivo ocupa {bytes} bytes de flash, mas na placa {model} cabem {room}; use o firmware para essa placa";
     silent()
         "no boot loader answers. Is this the board's port, and is the kind of board right (uno, nano, nano-old, mega)? If the board has no \
-         automatic reset, press its reset button as the writing begins"
+         automatic reset, press its reset button when writing starts"
         "nenhum bootloader responde. A porta é a da placa, e o tipo de placa está certo (uno, nano, nano-old, mega)? Se a placa não tem \
          reset automático, aperte o botão de reset assim que a gravação começar";
     foreign()

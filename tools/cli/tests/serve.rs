@@ -732,7 +732,7 @@ fn a_site_file_with_a_mistake_is_not_served() {
     assert_eq!(refused.status.code(), Some(1));
     let said = String::from_utf8(refused.stderr).unwrap();
     assert!(
-        said.starts_with(&format!("{file}:5: this line has no board;")),
+        said.starts_with(&format!("{file}:5: this line has no boards;")),
         "{said}"
     );
 }

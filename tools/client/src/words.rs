@@ -29,7 +29,7 @@ unoclp_words::messages! {
         "este dispositivo não roda o unoclp{what}; grave o firmware";
     but_a(identity) " but \"{identity}\"" ", e sim \"{identity}\"";
     no_board() "no board is connected" "nenhuma placa conectada";
-    refused_locked() "the board is locked against this" "a placa está bloqueada para isso";
+    refused_locked() "this is locked on the board" "isso está bloqueado na placa";
     refused_address() "this board has no such point" "esta placa não tem esse ponto";
     refused_value() "the board does not accept that value" "a placa não aceita esse valor";
     refused_now() "the board cannot do that now" "a placa não consegue fazer isso agora";
@@ -60,24 +60,24 @@ unoclp_words::messages! {
         "escrever e forçar estão bloqueados nesta placa";
     no_point(name) "{name} is not a point that can be set" "{name} não é um ponto que se possa alterar";
     to_unlock()
-        "to unlock, reset the board with A5 and the inputs 01 to 04 to ground, then write any setting"
+        "to unlock, reset the board with A5 and inputs 01 to 04 connected to ground, then write any setting"
         "para desbloquear, faça o reset da placa com A5 e as entradas 01 a 04 no GND e grave qualquer ajuste";
     fault(number, text) "fault {number}: {text}" "falha {number}: {text}";
     fault_line(number, line, text) "fault {number}, line {line}: {text}" "falha {number}, linha {line}: {text}";
     unknown_fault() "unknown to this version of unoclp" "desconhecida por esta versão do unoclp";
-    not_stopped(failure) "the board cannot be stopped: {failure}" "não foi possível parar a placa: {failure}";
+    not_stopped(failure) "could not stop the board: {failure}" "não foi possível parar a placa: {failure}";
     stop_locked()
         "commands are locked, so only A5 can stop the board: close it, then try again"
         "os comandos estão bloqueados, e só A5 para a placa: feche A5 e tente de novo";
     upload_not_begun()
-        "the board does not start an upload; does another client keep it in RUN?"
-        "a placa não começa um envio; outro cliente a mantém em RUN?";
+        "the board did not start the upload; is another client keeping it in RUN?"
+        "a placa não começou o envio; outro cliente a mantém em RUN?";
     unknown_state()
         "this version of unoclp does not know the board's state"
         "esta versão do unoclp não conhece o estado da placa";
     upload_locked(to_unlock)
-        "the board is locked against uploads; {to_unlock}"
-        "os envios estão bloqueados na placa; {to_unlock}";
+        "uploads are locked on this board; {to_unlock}"
+        "os envios estão bloqueados nesta placa; {to_unlock}";
     firmware_too_old(board, needs)
         "the board's firmware is older than some instructions of this program: it keeps programs in form {board}, and this one needs \
          form {needs}. The board keeps its old program; install the new firmware"

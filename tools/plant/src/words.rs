@@ -4,8 +4,8 @@
 
 unoclp_words::messages! {
     range(key, from, to)
-        "`{key}` is out of its range; give {from} to {to}"
-        "`{key}` está fora da faixa; informe de {from} a {to}";
+        "`{key}` is out of its range; use {from} to {to}"
+        "`{key}` está fora da faixa; use de {from} a {to}";
     no_number(key, given)
         "`{key}` must be a whole number, and {given} is not one; write one without quotes"
         "`{key}` deve ser um número inteiro, e {given} não é; escreva um sem aspas";
@@ -19,8 +19,8 @@ unoclp_words::messages! {
         "two parts are called {name}; give each its own name"
         "dois elementos se chamam {name}; dê a cada um o seu nome";
     no_part()
-        "there is no part; write [[part]] with its name and kind"
-        "não há nenhum elemento; escreva [[part]] com nome e tipo";
+        "there are no parts; add a [[part]] with a name and a kind"
+        "não há elementos; acrescente um [[part]] com nome e tipo";
     too_many(key, most)
         "there are more than {most} [[{key}]]; delete some"
         "há mais de {most} [[{key}]]; tire alguns";
@@ -62,7 +62,7 @@ unoclp_words::messages! {
         "isto não é uma condição de Texto Estruturado: {told}{help}; escreva uma como \"tank.level > 950 AND NOT drain.open\"";
     not_by_hand(path, known)
         "{path} cannot be changed by hand; change {known}"
-        "{path} não pode ser mudado com a mão; mude {known}";
+        "{path} não pode ser mudado à mão; mude {known}";
     no_fault(kind, given, known)
         "a {kind} cannot be {given}; it can be {known}"
         "um elemento {kind} não pode ter a falha {given}; pode ter {known}";
@@ -79,7 +79,7 @@ unoclp_words::messages! {
     fields() "given" "recebe";
     values() "has" "tem";
     faults() "may be" "pode estar";
-    by_hand() "by hand" "com a mão";
+    by_hand() "by hand" "à mão";
     damage() "stays until the reset" "fica até reiniciar";
     flag() "true or false" "verdadeiro ou falso";
     group_panel() "Panel" "Painel";

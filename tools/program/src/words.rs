@@ -9,10 +9,10 @@ unoclp_words::messages! {
         "{linked} de {room} bytes de memória de execução; pinos: {used}";
     kept_number(minutes)
         "after a power cut: 1 number, at most {minutes} old"
-        "após uma queda de energia: 1 número, de no máximo {minutes} antes";
+        "após uma queda de energia: 1 número, gravado no máximo {minutes} antes";
     kept_numbers(count, minutes)
         "after a power cut: {count} numbers, at most {minutes} old"
-        "após uma queda de energia: {count} números, de no máximo {minutes} antes";
+        "após uma queda de energia: {count} números, gravados no máximo {minutes} antes";
     numeric_code() "numeric code" "código numérico";
     either(others, last) "{others} or {last}" "{others} ou {last}";
     minute() "1 minute" "1 minuto";
@@ -56,7 +56,7 @@ unoclp_words::messages! {
     lacks_real() "REAL numbers" "números REAL";
     lacks_stored(bytes) "{bytes} bytes of program memory" "{bytes} bytes de memória de programa";
     lacks_run(bytes) "{bytes} bytes of run memory" "{bytes} bytes de memória de execução";
-    fits(board) "the {board} holds it: check it for that board" "ele cabe no {board}: verifique-o para essa placa";
+    fits(board) "it fits the {board}: check it for that board" "ele cabe no {board}: verifique-o para essa placa";
     not_sent(own, why)
         "this program is for the {own}, which is not a board: {why}"
         "este programa é para o {own}, que não é uma placa: {why}";

@@ -4,8 +4,8 @@
 
 unoclp_words::messages! {
     range(key, from, to)
-        "`{key}` is out of its range; give a number from {from} to {to}"
-        "`{key}` está fora da faixa; informe um número de {from} a {to}";
+        "`{key}` is out of its range; use a number from {from} to {to}"
+        "`{key}` está fora da faixa; use um número de {from} a {to}";
     no_address(given)
         "{given} is not an address with a port; write \"127.0.0.1:8420\", or \"0.0.0.0:8420\" for the network"
         "{given} não é um endereço com porta; escreva \"127.0.0.1:8420\", ou \"0.0.0.0:8420\" para a rede";
@@ -16,11 +16,11 @@ unoclp_words::messages! {
         "{given} is not a time from {from} to {to}; write \"100ms\", \"5s\", \"2m\", \"1h\" or \"400d\""
         "{given} não é um tempo de {from} a {to}; escreva \"100ms\", \"5s\", \"2m\", \"1h\" ou \"400d\"";
     open(listen)
-        "{listen} is open to the network; write `tls = \"self-signed\"` to encrypt its traffic, `tls = \"none\"` if you trust the network, or listen at 127.0.0.1"
+        "{listen} is open to the network; write `tls = \"self-signed\"` to encrypt its traffic, `tls = \"none\"` if you trust the network, or listen on 127.0.0.1"
         "{listen} fica aberto para a rede; escreva `tls = \"self-signed\"` para criptografar o que passa por ela, `tls = \"none\"` se confia nessa rede, ou use 127.0.0.1";
     no_line()
-        "there is no line; write [[line]] with its port, and [[line.board]] for each board on it"
-        "não há nenhuma linha; escreva [[line]] com a porta dela, e [[line.board]] para cada placa nela";
+        "there are no lines; add a [[line]] with its port, and a [[line.board]] for each board on it"
+        "não há linhas; acrescente uma [[line]] com a porta dela, e um [[line.board]] para cada placa nela";
     way_of_line()
         "a line has either a `port` or a `tcp`; write `port = \"/dev/ttyACM0\"` or `tcp = \"10.0.0.7:502\"`"
         "uma linha tem ou uma `port` ou um `tcp`; escreva `port = \"/dev/ttyACM0\"` ou `tcp = \"10.0.0.7:502\"`";
@@ -28,25 +28,25 @@ unoclp_words::messages! {
         "a line over TCP has no `{key}`; remove it"
         "uma linha por TCP não tem `{key}`; tire essa chave";
     no_board()
-        "this line has no board; write [[line.board]] below it"
-        "esta linha não tem nenhuma placa; escreva [[line.board]] abaixo dela";
+        "this line has no boards; add a [[line.board]] below it"
+        "esta linha não tem placas; acrescente um [[line.board]] abaixo dela";
     two_lines(way)
         "two lines use {way}; put all its boards below one [[line]]"
         "duas linhas usam {way}; ponha todas as placas abaixo de um só [[line]]";
     name(given)
-        "{given} cannot be the name of a board; use a letter, then letters, digits, - or _, at most 32"
-        "{given} não serve de nome de placa; use uma letra e depois letras, algarismos, - ou _, no máximo 32";
+        "{given} cannot be the name of a board; use a letter, then letters, digits, - or _, at most 32 characters"
+        "{given} não serve de nome de placa; use uma letra e depois letras, algarismos, - ou _, no máximo 32 caracteres";
     two_names(name)
         "two boards are called {name}; give each its own name"
         "duas placas se chamam {name}; dê a cada uma o seu nome";
     two_addresses(address, other)
-        "{other} on this line also has address {address}; give a board another with `unoclp settings --set-address`"
-        "{other}, nesta linha, também tem o endereço {address}; dê outro a uma placa com `unoclp settings --set-address`";
+        "{other} on this line also has address {address}; give one of them a different address with `unoclp settings --set-address`"
+        "{other}, nesta linha, também tem o endereço {address}; dê outro endereço a uma das placas com `unoclp settings --set-address`";
     two_units(unit, other)
         "{other} also has unit {unit}; give each board of the site its own"
         "{other} também tem a unidade {unit}; dê a cada placa da instalação a sua";
     two_servers(address)
-        "two servers listen at {address}; give each its own port"
+        "two servers listen on {address}; give each its own port"
         "dois servidores usam {address}; dê a cada um a sua porta";
     no_broker(given)
         "{given} is not a broker's address; write \"mqtt://10.0.0.7:1883\", or \"mqtts://broker.example:8883\" for an encrypted connection"
@@ -76,8 +76,8 @@ unoclp_words::messages! {
         "MQTT takes no password without a user; write `user` too"
         "o MQTT não aceita senha sem usuário; escreva também `user`";
     no_topic(key, given)
-        "`{key}` cannot be {given}; use letters, digits, - or _, at most 32"
-        "`{key}` não pode ser {given}; use letras, algarismos, - ou _, no máximo 32";
+        "`{key}` cannot be {given}; use letters, digits, - or _, at most 32 characters"
+        "`{key}` não pode ser {given}; use letras, algarismos, - ou _, no máximo 32 caracteres";
     unreadable(file, why)
         "the program {file} cannot be read ({why}); check its path, which is relative to the folder of the site file"
         "não foi possível ler o programa {file} ({why}); confira o caminho, relativo à pasta do arquivo de instalação";
@@ -175,8 +175,8 @@ unoclp_words::messages! {
         "journal: on disk every {every}, at most {bound}"
         "diário: no disco a cada {every}, no máximo {bound}";
     record(bound)
-        "record: at most {bound}; then the oldest half goes"
-        "livro de ocorrências: no máximo {bound}; depois a metade mais antiga sai";
+        "record: at most {bound}; then the oldest half is deleted"
+        "livro de ocorrências: no máximo {bound}; depois a metade mais antiga é apagada";
     modbus_reads(address)
         "Modbus TCP: {address}, read only"
         "Modbus TCP: {address}, só leitura";

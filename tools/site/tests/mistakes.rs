@@ -132,7 +132,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("address = 0\n"),
             5,
-            "`address` is out of its range; give a number from 1 to 247",
+            "`address` is out of its range; use a number from 1 to 247",
         ),
         (with("unit = 248\n"), 5, "`unit` is out of its range"),
         (
@@ -170,7 +170,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             6,
             "0.0.0.0:8420 is open to the network; write `tls = \"self-signed\"`",
         ),
-        (String::new(), 1, "there is no line; write [[line]]"),
+        (String::new(), 1, "there are no lines; add a [[line]]"),
         (
             "\n[[line]]\n[[line.board]]\nname = \"x\"\n".into(),
             2,
@@ -189,7 +189,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             "\n[[line]]\nport = \"a\"\n".into(),
             2,
-            "this line has no board",
+            "this line has no boards",
         ),
         (
             with("[[line]]\nport = \"a\"\n[[line.board]]\nname = \"y\"\nunit = 2\n"),
@@ -209,7 +209,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[line.board]]\nname = \"y\"\nunit = 2\naddress = 1\n"),
             8,
-            "x on this line also has address 1; give a board another with `unoclp settings",
+            "x on this line also has address 1; give one of them a different address with `unoclp settings",
         ),
         (
             with("[[line]]\nport = \"b\"\n[[line.board]]\nname = \"y\"\n"),
@@ -219,7 +219,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[modbus]\nlisten = \"127.0.0.1:8420\"\n"),
             6,
-            "two servers listen at 127.0.0.1:8420",
+            "two servers listen on 127.0.0.1:8420",
         ),
         (
             with("program = \"none.st\"\n"),

@@ -165,8 +165,8 @@ fn messages_name_the_rung_and_the_element() {
         told(&project(&variables, &body)),
         [
             [
-                "`Main`, rung 2, block `lamp` (TON): nothing leads to PT",
-                "`Main`, degrau 2, bloco `lamp` (TON): nada chega a PT"
+                "`Main`, rung 2, block `lamp` (TON): nothing is connected to PT",
+                "`Main`, degrau 2, bloco `lamp` (TON): nada está ligado a PT"
             ],
             [
                 "`Main`, rung 3, block `DELAY`: the block `DELAY` cannot be imported",

@@ -34,7 +34,7 @@ const POINT: Why = (
     "entradas, saídas e PWM não são retidos",
 );
 const TOO_MANY: Why = (
-    "16 registers and counters are kept at most, and first values take a register too",
+    "at most 16 registers and counters are kept, and initial values take a register too",
     "no máximo 16 registradores e contadores são retidos, e os valores iniciais também ocupam um registrador",
 );
 

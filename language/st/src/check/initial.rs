@@ -71,8 +71,8 @@ impl Checker<'_, '_, '_> {
         self.push_elements(name, all, of, &mut elements, &mut count)?;
         if count > u64::from(most) {
             let why = both(
-                format!("{count} values stand here, and the array has {most} elements"),
-                format!("há {count} valores aqui, e a matriz tem {most} elementos"),
+                format!("{count} values are listed here, but the array has {most} elements"),
+                format!("há {count} valores aqui, mas a matriz tem {most} elementos"),
             );
             let help = (
                 "delete some, or declare a larger array",

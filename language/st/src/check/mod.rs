@@ -133,15 +133,11 @@ fn is_program(text: &str, file: &File, found: &mut Found) -> bool {
     }
     let why: Word = match file.globals.is_empty() && file.types.is_empty() {
         false => (
-            "it has declarations, but no statement",
+            "it has declarations, but no statements",
             "há declarações, mas nenhum comando",
         )
             .into(),
-        true => (
-            "the text has no statement",
-            "o texto não tem nenhum comando",
-        )
-            .into(),
+        true => ("the text has no statements", "o texto não tem comandos").into(),
     };
     found.tell(Code::StNoProgram, end, [why]);
     false

@@ -12,7 +12,7 @@ use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::{UnitKind, Value};
 
 const ELEMENT: (&str, &str) = (
-    "a chart consists of INITIAL_STEP, STEP, TRANSITION and ACTION alone; write statements in an ACTION, or in a PROGRAM of their own",
+    "a chart consists only of INITIAL_STEP, STEP, TRANSITION and ACTION; write statements in an ACTION, or in a PROGRAM of their own",
     "um SFC consiste só de INITIAL_STEP, STEP, TRANSITION e ACTION; escreva comandos em uma ACTION ou em um PROGRAM próprio",
 );
 const STEP: (&str, &str) = (

@@ -49,8 +49,8 @@ impl Parser<'_, '_> {
                 self.next();
                 let mut all = Vec::new();
                 let help = (
-                    "first values of an array are written [1, 2, 3(0)]",
-                    "os primeiros valores de uma matriz se escrevem [1, 2, 3(0)]",
+                    "initial values of an array are written [1, 2, 3(0)]",
+                    "os valores iniciais de uma matriz se escrevem [1, 2, 3(0)]",
                 );
                 while !self.is(Kind::CloseSquare) {
                     all.push(self.element()?);
@@ -67,8 +67,8 @@ impl Parser<'_, '_> {
                 self.next();
                 let mut all = Vec::new();
                 let help = (
-                    "first values of a structure are written (x := 1, y := 2)",
-                    "os primeiros valores de uma estrutura se escrevem (x := 1, y := 2)",
+                    "initial values of a structure are written (x := 1, y := 2)",
+                    "os valores iniciais de uma estrutura se escrevem (x := 1, y := 2)",
                 );
                 loop {
                     let span = self.token().span;

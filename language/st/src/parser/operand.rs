@@ -81,7 +81,7 @@ impl Parser<'_, '_> {
                     None => {
                         let written = self.short(token.span);
                         let what = (
-                            "text: $ begins a code of two digits",
+                            "text: $ begins a two-digit code",
                             "texto: $ inicia um código de dois dígitos",
                         );
                         let like = ("'50 $$' for a $", "'50 $$' para um $");

@@ -44,8 +44,8 @@ impl Parser<'_, '_> {
         let upper = self.slice(start).to_uppercase();
         if matches!(upper.as_str(), "POINTER" | "REF_TO" | "REFERENCE") {
             let help = (
-                "VAR_IN_OUT lends a variable to a function or a block",
-                "VAR_IN_OUT empresta uma variável a uma função ou a um bloco",
+                "VAR_IN_OUT passes a variable to a function or a block by reference",
+                "VAR_IN_OUT passa uma variável por referência a uma função ou a um bloco",
             );
             self.tell(Code::StUnsupported, start, [upper.into(), help.into()]);
             return Err(Told);
@@ -99,8 +99,8 @@ impl Parser<'_, '_> {
     fn enumeration(&mut self) -> Parsed<Vec<(Name, Option<Node>)>> {
         self.next();
         let help = (
-            "an enumeration is names in ( ): (Red, Green)",
-            "uma enumeração são nomes entre ( ): (Verde, Vermelho)",
+            "an enumeration is a list of names in ( ): (Red, Green)",
+            "uma enumeração é uma lista de nomes entre ( ): (Verde, Vermelho)",
         );
         let mut values = Vec::new();
         loop {

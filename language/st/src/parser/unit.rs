@@ -194,10 +194,7 @@ impl Parser<'_, '_> {
             self.tell(Code::StOtherWord, span, [written.into(), word.into()]);
             self.next();
         } else {
-            let help = (
-                "the first word says what the unit is",
-                "a primeira palavra diz o que é a unidade",
-            );
+            let help = ("begin with the kind of unit", "comece pelo tipo da unidade");
             self.tell(
                 Code::StExpected,
                 span,

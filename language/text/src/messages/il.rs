@@ -25,18 +25,18 @@ macro_rules! il_rows {
         "escreva números como 20, 2#1010 ou 16#FF, e tempos como T#20s ou T#1h2m3s4ms";
     15 Fraction Error
         "`{0}` has a fraction, but the board's numbers are whole"
-        "use a smaller unit: 25 tenths for 2.5, or declare a REAL. Addresses like 0.00 are OMRON's: use its words to choose that dialect"
+        "use a smaller unit: 25 tenths for 2.5, or declare a REAL. Addresses like 0.00 are OMRON addresses: use OMRON mnemonics to choose that dialect"
         "`{0}` tem casas decimais, mas os números da placa são inteiros"
-        "use uma unidade menor: 25 décimos para 2,5, ou declare um REAL. Endereços como 0.00 são da OMRON: use as palavras dela para escolher esse dialeto";
+        "use uma unidade menor: 25 décimos para 2,5, ou declare um REAL. Endereços como 0.00 são da OMRON: use os mnemônicos dela para escolher esse dialeto";
     16 TimePrefix Error
         "`{0}` is a time, and times begin with T#"
         "write {1}"
         "`{0}` é um tempo, e tempos começam com T#"
         "escreva {1}";
     17 TimeUnit Error
-        "`{0}` does not say its unit"
+        "`{0}` has no unit"
         "write {0}s for seconds, or {0}ms for milliseconds"
-        "`{0}` não diz a sua unidade"
+        "`{0}` está sem unidade"
         "escreva {0}s para segundos ou {0}ms para milissegundos";
     18 DecimalComma Error
         "`{0}` has a comma where a point belongs"
@@ -254,7 +254,7 @@ macro_rules! il_rows {
         "a entrada `{0}` foi declarada, mas o programa nunca a lê"
         "leia-a com LD {0} ou apague a declaração";
     64 Unreachable Warning
-        "the program never gets here: it always jumps away above"
+        "the program never gets here: it always jumps elsewhere first"
         "write a label before it, or delete it"
         "o programa nunca chega aqui: antes ele sempre desvia para outro lugar"
         "escreva um rótulo antes desta linha ou apague-a";
@@ -280,16 +280,16 @@ macro_rules! il_rows {
         "declare-a em VAR_GLOBAL … END_VAR, antes de PROGRAM; ali ela pode ter um endereço";
     69 Narrowed Warning
         "{0} does not fit `{1}`, which is {2}; the value becomes {3}"
-        "declare `{1}` as DINT, or store a number that {2} holds"
+        "declare `{1}` as DINT, or store a number that fits {2}"
         "{0} não cabe em `{1}`, que é {2}; o valor passa a ser {3}"
         "declare `{1}` como DINT ou armazene um número que {2} comporte";
     71 DoesNotFit Error
         "from here on, the program does not fit on the board"
-        "it has {0} bytes of program memory and {1} bytes of run memory{2}. Timers and counters take the most; retained variables need room for two records"
+        "it has {0} bytes of program memory and {1} bytes of run memory{2}. Timers and counters take the most space; retained variables need room for two records"
         "daqui em diante o programa não cabe na placa"
-        "ela tem {0} bytes de memória de programa e {1} bytes de memória de execução{2}. Temporizadores e contadores ocupam mais; variáveis retidas precisam de lugar para duas gravações";
+        "ela tem {0} bytes de memória de programa e {1} bytes de memória de execução{2}. Temporizadores e contadores são os que mais ocupam; variáveis retidas precisam de lugar para duas gravações";
     72 Refused Error
-        "this makes a code that is not allowed here: fault {0}, {1}"
+        "this generates a code that is not allowed here: fault {0}, {1}"
         "correct the codes after CODE, or avoid REAL on a Nano; docs/faults.md explains the fault"
         "isto gera um código que não é permitido aqui: falha {0}, {1}"
         "corrija os códigos depois de CODE, ou evite REAL em um Nano; docs/faults.pt-BR.md explica a falha";

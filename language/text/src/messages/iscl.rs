@@ -7,7 +7,7 @@ macro_rules! iscl_rows {
         "`{0}` is outside of BLOCO … END_BLOCK"
         "move it between the two: the whole program is one block"
         "`{0}` está fora de BLOCO … END_BLOCK"
-        "passe-o para entre os dois: o programa inteiro é um bloco";
+        "coloque-o entre os dois: o programa inteiro é um bloco";
     302 IsclNamed Error
         "a block has no name in InterSCL, so `{0}` does not belong here"
         "delete it: BLOCO begins the program"
@@ -24,9 +24,9 @@ macro_rules! iscl_rows {
         "uma declaração tem um só nome, mas `{2}` vem depois de uma vírgula"
         "escreva {0} {1}; {0} {2};";
     305 IsclFirstValue Error
-        "a declaration cannot give `{1}` a value: all variables begin with 0"
+        "a declaration cannot give `{1}` a value: all variables start at 0"
         "write {0} {1}; and, as a command, {1} := {2};"
-        "uma declaração não pode dar valor a `{1}`: todas as variáveis começam com 0"
+        "uma declaração não pode dar valor a `{1}`: todas as variáveis começam em 0"
         "escreva {0} {1}; e, como comando, {1} := {2};";
     306 IsclLate Error
         "`{0}` declares a variable, but commands come before it"
@@ -59,7 +59,7 @@ macro_rules! iscl_rows {
         "PRINT recebe o nome de uma variável, mas `{0}` não é um"
         "{1}";
     312 IsclSeparator Warning
-        "no `;` follows this {0}"
+        "a `;` is missing after this {0}"
         "write {0};"
         "falta um `;` depois deste {0}"
         "escreva {0};";
@@ -76,7 +76,7 @@ macro_rules! iscl_rows {
     315 IsclChained Error
         "`{0}` is TRUE or FALSE and cannot be compared again"
         "write {0} AND {1} {2} …"
-        "`{0}` é TRUE ou FALSE e não se compara outra vez"
+        "`{0}` é TRUE ou FALSE e não pode ser comparado outra vez"
         "escreva {0} AND {1} {2} …";
     316 IsclMismatch Error
         "`{0}` is {1}, and `{2}` is {3}"

@@ -19,9 +19,9 @@ macro_rules! lce_rows {
         "`{0}` é uma constante, mas aqui é preciso uma variável"
         "{1}";
     404 LceUndeclared Error
-        "there is no name `{0}`"
+        "`{0}` is not a known name"
         "{1}"
-        "não existe o nome `{0}`"
+        "o nome `{0}` não existe"
         "{1}";
     405 LceNoPoint Error
         "there is no point `{0}` on this board"
@@ -29,9 +29,9 @@ macro_rules! lce_rows {
         "não existe o ponto `{0}` nesta placa"
         "{1}";
     406 LceInput Error
-        "nothing can be stored in `{0}`: only its sensor changes an input"
+        "nothing can be stored in `{0}`: only a sensor can change an input"
         "store in an output (Q0.0), a marker (M0.0) or a variable (V0)"
-        "não se pode guardar nada em `{0}`: só o sensor muda uma entrada"
+        "não se pode guardar nada em `{0}`: só um sensor pode mudar uma entrada"
         "guarde em uma saída (Q0.0), uma memória (M0.0) ou uma variável (V0)";
     407 LceTypeApart Error
         "the type `{0}` is separated from its operator"
@@ -39,7 +39,7 @@ macro_rules! lce_rows {
         "o tipo `{0}` está separado do seu operador"
         "escreva {0}{1} sem espaço";
     408 LceSpace Warning
-        "a space is missing beside `{0}`"
+        "a space is missing next to `{0}`"
         "write one between an operator and each of its operands: V0 {0} V1"
         "falta um espaço ao lado de `{0}`"
         "deixe um entre o operador e cada operando: V0 {0} V1";
@@ -49,7 +49,7 @@ macro_rules! lce_rows {
         "`R{0}` não existe: {0} combina bits, e um número do tipo R não os tem"
         "escreva {0}, ou W{0} ou B{0} para 16 ou 8 bits";
     410 LceVarForm Error
-        "`{0}` gives no name to a place"
+        "`{0}` does not name a place"
         "{1}"
         "`{0}` não dá nome a um lugar"
         "{1}";
@@ -111,7 +111,7 @@ macro_rules! lce_rows {
     422 LceChained Error
         "`{0}` is true or false and cannot be compared again"
         "write ({0}) & ({1} {2} …)"
-        "`{0}` é verdadeiro ou falso e não se compara outra vez"
+        "`{0}` é verdadeiro ou falso e não pode ser comparado outra vez"
         "escreva ({0}) & ({1} {2} …)";
     423 LceComma Error
         "`{0}` has a decimal comma"

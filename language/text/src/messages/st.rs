@@ -14,7 +14,7 @@ macro_rules! st_rows {
         "este comentário nunca é fechado, e o resto do texto faz parte dele"
         "escreva *) no fim dele";
     103 StTextOpen Error
-        "this text has no closing {0} on its line"
+        "this string has no closing {0} on its line"
         "write {0} at its end"
         "este texto não tem {0} de fechamento na sua linha"
         "escreva {0} no fim dele";
@@ -66,7 +66,7 @@ macro_rules! st_rows {
     113 StTooDeep Error
         "this is nested too deeply"
         "move a part of it into a variable, a function or a block"
-        "isto está aninhado fundo demais"
+        "há níveis demais de aninhamento aqui"
         "passe uma parte para uma variável, uma função ou um bloco";
     114 StReserved Error
         "`{0}` is a keyword and cannot be a name"
@@ -92,7 +92,7 @@ macro_rules! st_rows {
         "`{0}` is outside of any program"
         "move it between PROGRAM and END_PROGRAM"
         "`{0}` está fora de qualquer programa"
-        "passe-o para entre PROGRAM e END_PROGRAM";
+        "coloque-o entre PROGRAM e END_PROGRAM";
     119 StLateDeclaration Error
         "`{0}` declares variables, but statements come before it"
         "move it up, before the first statement"
@@ -104,10 +104,10 @@ macro_rules! st_rows {
         "não há programa: {0}"
         "escreva PROGRAM principal, os comandos e END_PROGRAM";
     121 StLongIf Error
-        "this IF has too many ELSIF"
-        "use CASE, or write several IF: at most {0}, ELSIF included, can be nested"
+        "this IF has too many ELSIF parts"
+        "use CASE, or write several IF statements: at most {0} can be nested, ELSIF included"
         "este IF tem ELSIF demais"
-        "use CASE ou escreva vários IF: no máximo {0}, ELSIF incluídos, podem ficar um dentro do outro";
+        "use CASE ou escreva vários IF: no máximo {0} podem ficar um dentro do outro, inclusive os ELSIF";
     122 StLongNames Error
         "together, the names of all parts of `{0}` are too long"
         "use shorter names or a smaller array"
@@ -145,7 +145,7 @@ macro_rules! st_rows {
         "a placa lê as entradas antes de cada varredura; use uma variável sem endereço";
     129 StLibrary Warning
         "there is no program here: functions and function blocks do nothing until a program calls them"
-        "write PROGRAM main, its statements, and END_PROGRAM, where it shall run"
+        "write PROGRAM main, its statements, and END_PROGRAM, if it is to run"
         "não há programa aqui: funções e blocos de funções não fazem nada até que um programa os chame"
         "escreva PROGRAM principal, os comandos e END_PROGRAM, se for para executar";
     130 StUndeclared Error
@@ -299,9 +299,9 @@ macro_rules! st_rows {
         "FOR precisa de uma variável de tipo inteiro, mas `{0}` é {1}"
         "declare uma variável para isso: i : INT;";
     167 StForChanged Warning
-        "`{0}` counts this FOR loop, so the loop must not change it"
+        "`{0}` is the control variable of this FOR loop, so the loop must not change it"
         "change another variable, or write WHILE"
-        "`{0}` conta as voltas deste FOR, e o laço não pode mudá-lo"
+        "`{0}` é a variável de controle deste FOR, e o laço não pode mudá-la"
         "mude outra variável ou escreva WHILE";
     168 StNoLoop Error
         "{0} is not in a loop"
@@ -335,9 +335,9 @@ macro_rules! st_rows {
         "escreva o nome de cada um: {0}";
     174 StNeedsVariable Error
         "{0} changes the variable given for `{1}`, but `{2}` is not a variable"
-        "give it a variable of the same type"
+        "pass a variable of the same type"
         "{0} muda a variável que recebe em `{1}`, mas `{2}` não é uma variável"
-        "dê a ele uma variável do mesmo tipo";
+        "passe uma variável do mesmo tipo";
     175 StMissing Error
         "{0} needs `{1}`"
         "write {1} := …"
@@ -399,9 +399,9 @@ macro_rules! st_rows {
         "`{0}` ocupa {1}, mas só há {2} livres"
         "diminua-a; uma matriz de índice calculado ocupa um registrador por elemento";
     205 BoardRetain Error
-        "the board cannot retain a {0} over a power cut"
+        "the board cannot retain a {0} through a power cut"
         "store the values that matter in a variable with RETAIN"
-        "a placa não consegue guardar um {0} na falta de energia"
+        "a placa não consegue reter um {0} em uma queda de energia"
         "guarde os valores que importam em uma variável com RETAIN";
     207 BoardLoop Error
         "the jumps of this loop cost {0}, but a scan can spend {1}"
@@ -409,15 +409,15 @@ macro_rules! st_rows {
         "os desvios deste laço custam {0}, mas uma varredura pode gastar {1}"
         "faça-o dar no máximo {2} voltas, ou faça uma parte do trabalho em cada varredura";
     208 BoardLoopOpen Warning
-        "this loop has no fixed number of turns; after {0} turns in a scan the board stops with fault 75"
+        "this loop has no fixed number of iterations; after {0} iterations in a scan the board stops with fault 75"
         "count with FOR between two constants, and leave it with EXIT"
         "este laço não tem um número fixo de voltas; depois de {0} voltas em uma varredura a placa para com a falha 75"
         "conte com FOR entre duas constantes e saia dele com EXIT";
     209 BoardLabels Error
         "no label is left for this: the board has {0}"
-        "use fewer loops, EXIT and RETURN"
+        "use fewer loops, and fewer EXIT and RETURN statements"
         "não sobrou rótulo para isto: a placa tem {0}"
-        "use menos laços, EXIT e RETURN";
+        "use menos laços e menos EXIT e RETURN";
     210 BoardTooLarge Error
         "with the bodies of all calls, the program is far too large for the board"
         "call fewer or smaller blocks and functions: each call copies their bodies"
@@ -434,9 +434,9 @@ macro_rules! st_rows {
         "linha {1}: {0} desvia para dentro de uma parte de um IF, o que o Texto Estruturado não consegue exprimir"
         "ponha o rótulo antes do IF ou depois do END dele";
     223 BackTimerInLoop Error
-        "line {1}: {0} is in a loop; in Structured Text a timer has one call in a scan"
+        "line {1}: {0} is in a loop; in Structured Text a timer is called once per scan"
         "move the timer out of the loop"
-        "linha {1}: {0} está em um laço; no Texto Estruturado um temporizador tem uma chamada por varredura"
+        "linha {1}: {0} está em um laço; no Texto Estruturado um temporizador é chamado uma vez por varredura"
         "tire o temporizador do laço";
     224 BackEarlyTime Error
         "line {1}: {0} reads a timer before its call in this scan, or the timer's preset changes"
@@ -460,14 +460,14 @@ macro_rules! st_rows {
         "{1}";
     242 StNoInitialStep Error
         "this chart has no initial step, so nothing in it would ever run"
-        "write INITIAL_STEP in place of STEP at the step with which it begins"
+        "change STEP to INITIAL_STEP in the step where it begins"
         "este SFC não tem etapa inicial, e nada nele seria executado"
-        "escreva INITIAL_STEP no lugar de STEP na etapa com que ele começa";
+        "troque STEP por INITIAL_STEP na etapa em que ele começa";
     243 StTwoInitialSteps Error
         "`{0}` and `{1}` are both initial steps of one chart"
-        "write STEP in place of INITIAL_STEP at one of them; steps that no transition joins to the others are a chart of their own"
+        "change INITIAL_STEP to STEP in one of them; steps that no transition connects to the others form a separate chart"
         "`{0}` e `{1}` são ambas etapas iniciais do mesmo SFC"
-        "escreva STEP no lugar de INITIAL_STEP em uma delas; etapas que nenhuma transição une às outras são um SFC próprio";
+        "troque INITIAL_STEP por STEP em uma delas; etapas que nenhuma transição liga às outras formam um SFC à parte";
     244 StStepTwice Error
         "`{0}` appears twice in this list"
         "delete one of them"
@@ -515,7 +515,7 @@ macro_rules! st_rows {
         "termine juntas as sequências simultâneas: TRANSITION FROM (a, b) TO c";
     253 StChartStuck Warning
         "the chart can get stuck: with {0} active, no transition can ever fire"
-        "let each simultaneous sequence reach its last step; do not leave one of them by a selection"
+        "let each simultaneous sequence reach its last step; do not leave one of them through a selection"
         "o SFC pode travar: com {0} ativa, nenhuma transição pode disparar"
         "deixe cada sequência simultânea chegar à sua última etapa; não saia de uma delas por uma seleção";
     254 StChartEnds Warning
@@ -531,7 +531,7 @@ macro_rules! st_rows {
     256 StTimeExtra Error
         "the qualifier {0} takes no time"
         "write {1}({0}); or a qualifier with a time: L, D, SD, DS, SL"
-        "o qualificador {0} não leva tempo"
+        "o qualificador {0} não aceita um tempo"
         "escreva {1}({0}); ou um qualificador com tempo: L, D, SD, DS, SL";
     257 StBitsCounted Warning
         "{0} is a bit string, and the standard has no arithmetic for those: here it counts as {1}"

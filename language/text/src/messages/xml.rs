@@ -24,9 +24,9 @@ macro_rules! xml_rows {
         "o corpo de `{0}` é {1}, que não pode ser importado"
         "{2}";
     505 XmlMixed Error
-        "`{0}` is in IL beside other languages, where {1} cannot be imported"
+        "`{0}` is in IL in a project with other languages, where {1} cannot be imported"
         "write `{0}` in ST, or the whole project in IL"
-        "`{0}` está em IL ao lado de outras linguagens, e ali {1} não pode ser importado"
+        "`{0}` está em IL em um projeto com outras linguagens, e ali {1} não pode ser importado"
         "escreva `{0}` em ST, ou o projeto inteiro em IL";
     506 XmlAddress Error
         "{0}: there is no point `{1}` on this board"
@@ -49,9 +49,9 @@ macro_rules! xml_rows {
         "{0}: o bloco `{1}` não pode ser importado"
         "acrescente ao projeto uma função ou um bloco de funções com este nome, ou use blocos da norma (docs/structured-text.pt-BR.md)";
     510 XmlPin Error
-        "{0}: nothing leads to {1}"
-        "draw a wire from the left, or write a value at it"
-        "{0}: nada chega a {1}"
+        "{0}: nothing is connected to {1}"
+        "draw a wire from the left, or enter a value there"
+        "{0}: nada está ligado a {1}"
         "puxe um fio da esquerda, ou escreva um valor ali";
     511 XmlValue Error
         "{0}: `{1}` is not a valid {2}"
@@ -104,14 +104,14 @@ macro_rules! xml_rows {
         "{0}: não há um rótulo `{1}`"
         "ponha o rótulo no começo de um degrau";
     523 XmlLost Warning
-        "rung {0}: a ladder of PLCopen XML has no form for `{1}`; the project is in Instruction List"
+        "rung {0}: a PLCopen XML ladder cannot express `{1}`; the project is in Instruction List"
         "draw it with the contacts, coils and blocks listed in docs/plcopen.md"
-        "degrau {0}: um ladder do PLCopen XML não tem forma para `{1}`; o projeto está em Lista de Instruções"
+        "degrau {0}: um ladder do PLCopen XML não consegue exprimir `{1}`; o projeto está em Lista de Instruções"
         "desenhe com os contatos, bobinas e blocos listados em docs/plcopen.pt-BR.md";
     524 XmlNoSink Warning
-        "{0}: `{1}` leads to no output"
+        "{0}: `{1}` is not connected to any output"
         "draw a coil or a variable after it, or remove it"
-        "{0}: `{1}` não leva a nenhuma saída"
+        "{0}: `{1}` não está ligado a nenhuma saída"
         "desenhe uma bobina ou uma variável depois dele, ou tire-o";
     525 XmlNoJump Warning
         "{0}: no jump leads to the label `{1}`"
@@ -134,7 +134,7 @@ macro_rules! xml_rows {
         "{0}: nenhum bloco chama `{1}`"
         "desenhe o bloco desta instância";
     529 XmlOrder Warning
-        "{0}: execution order {1} is later than an element that uses its result, so it runs earlier"
+        "{0}: its execution order {1} comes after that of an element that uses its result, so it runs earlier"
         "give it a lower number than that element"
         "{0}: a ordem de execução {1} é posterior à de um elemento que usa o resultado dele; por isso ele é chamado antes"
         "dê a ele um número menor que o desse elemento";
@@ -149,15 +149,15 @@ macro_rules! xml_rows {
         "{0}: o valor inicial de `{1}` é ignorado, porque as entradas são lidas antes da primeira varredura"
         "remova o valor inicial";
     532 XmlNotKept Warning
-        "{0}: `{1}` cannot be retained over a power cut"
+        "{0}: `{1}` cannot be retained through a power cut"
         "use a number, a BOOL without an address or %MX7.0 to %MX7.7, or remove retain"
         "{0}: `{1}` não pode ser retido em uma queda de energia"
         "use um número, um BOOL sem endereço ou %MX7.0 a %MX7.7, ou tire o retain";
     533 XmlLong Error
-        "{0}: the name or the expression has {1} bytes, and 1000 at most are read"
-        "write it shorter, or compute a part of it before"
-        "{0}: o nome ou a expressão tem {1} bytes, e são lidos no máximo 1000"
-        "escreva-o mais curto, ou calcule antes uma parte dele";
+        "{0}: the name or the expression has {1} bytes, but at most 1000 are read"
+        "shorten it, or compute part of it first"
+        "{0}: o nome ou a expressão tem {1} bytes, mas são lidos no máximo 1000"
+        "encurte-o, ou calcule antes uma parte";
     534 XmlJump Error
         "{0}: the label `{1}` is above; a ladder with feedback wires, the project's own blocks, conversions or SEL can only jump to labels below"
         "a scan begins again by itself: jump to a label below, or write the loop in ST"
@@ -169,9 +169,9 @@ macro_rules! xml_rows {
         "nenhuma variável global `{0}` está declarada; por isso ela foi criada"
         "declare-a entre as variáveis globais do recurso, com o endereço";
     536 XmlLoose Warning
-        "{0}: nothing leads to it, so it is left out"
+        "{0}: nothing is connected to its input, so it is left out"
         "draw a wire to it from the left, or remove it"
-        "{0}: nada chega a ele, e por isso ele é ignorado"
+        "{0}: nada está ligado à entrada dele, e por isso ele é ignorado"
         "ligue-o a um fio vindo da esquerda, ou apague-o";
     538 XmlSameName Error
         "another unit is also called `{0}`; upper and lower case are the same"
@@ -199,9 +199,9 @@ macro_rules! xml_rows {
         "{0}: {1} não pode ser importado como corpo de uma ação"
         "escreva em ST o que a ação faz";
     544 XmlNoBlocks Warning
-        "rung {0}: a block diagram has no form for `{1}`; the project is in LD or Instruction List"
+        "rung {0}: a block diagram cannot express `{1}`; the project is in LD or Instruction List"
         "draw it with contacts, coils and the blocks listed in docs/plcopen.md"
-        "degrau {0}: um diagrama de blocos não tem forma para `{1}`; o projeto está em LD ou Lista de Instruções"
+        "degrau {0}: um diagrama de blocos não consegue exprimir `{1}`; o projeto está em LD ou Lista de Instruções"
         "desenhe com contatos, bobinas e os blocos listados em docs/plcopen.pt-BR.md";
         }
     };

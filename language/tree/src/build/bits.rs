@@ -94,8 +94,8 @@ impl Builder<'_, '_> {
                 format!("ele tem os bits 0 a {}", bits - 1),
             ),
             None => both(
-                "bits by their places are parts of INT, WORD and the like",
-                "bits pela posição são partes de INT, WORD e semelhantes",
+                "only INT, WORD and similar types have numbered bits",
+                "só INT, WORD e tipos semelhantes têm bits numerados",
             ),
         };
         self.tell(Code::StNoMember, at, [is, place.into(), help]);

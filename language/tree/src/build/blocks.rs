@@ -21,8 +21,8 @@ impl Builder<'_, '_> {
             _ => {
                 let (written, what) = (self.written(target.at), self.what_type(target.ty));
                 let help = (
-                    "a function and an instance of a function block can be called",
-                    "podem ser chamadas uma função e uma instância de um bloco de funções",
+                    "only functions and instances of function blocks can be called",
+                    "só se podem chamar funções e instâncias de blocos de funções",
                 );
                 self.tell(
                     Code::StNotCallable,

@@ -113,8 +113,8 @@ impl Builder<'_, '_> {
         let (written, is) = (self.written(target.at), self.tree.types.name(target.ty));
         let name = self.tree.types.name(needed);
         let help = both(
-            format!("give it a variable of type {name}"),
-            format!("dê a ele uma variável do tipo {name}"),
+            format!("pass a variable of type {name}"),
+            format!("passe uma variável do tipo {name}"),
         );
         let words = [written.into(), is.into(), name.into(), help];
         self.tell(Code::StMismatch, target.at, words);
@@ -141,8 +141,8 @@ impl Builder<'_, '_> {
             Some(named) => {
                 let what = self.what(&named);
                 let help = (
-                    "a function and an instance of a function block can be called",
-                    "podem ser chamadas uma função e uma instância de um bloco de funções",
+                    "only functions and instances of function blocks can be called",
+                    "só se podem chamar funções e instâncias de blocos de funções",
                 );
                 self.tell(Code::StNotCallable, at, [name.into(), what, help.into()]);
                 self.told_name(name);

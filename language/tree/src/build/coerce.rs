@@ -128,7 +128,7 @@ impl Builder<'_, '_> {
             None => {
                 let name = format!("{}_TO_{to}", expr.base);
                 let help = (
-                    "there are conversions between numbers, bit strings, BOOL, TIME and texts, and of DT to DATE and TOD",
+                    "there are conversions between numbers, bit strings, BOOL, TIME and strings, and from DT to DATE and TOD",
                     "há conversões entre números, cadeias de bits, BOOL, TIME e textos, e de DT para DATE e TOD",
                 );
                 self.tell(Code::StNoConversion, at, [name.into(), help.into()]);

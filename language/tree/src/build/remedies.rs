@@ -53,8 +53,8 @@ impl Builder<'_, '_> {
         let name = self.tree.types.name(needed);
         let Some(to) = self.tree.types.base(needed) else {
             return both(
-                format!("give it a variable of type {name}"),
-                format!("dê a ele uma variável do tipo {name}"),
+                format!("use a variable of type {name}"),
+                format!("use uma variável do tipo {name}"),
             );
         };
         let from = expr.base;
@@ -114,8 +114,8 @@ impl Builder<'_, '_> {
         let write = |text: String| both(format!("write {text}"), format!("escreva {text}"));
         let help: Word = match generic {
             _ if self.is_enum(operand.ty) => (
-                "a value of an enumeration is only compared and stored",
-                "um valor de enumeração só se compara e guarda",
+                "a value of an enumeration can only be compared and stored",
+                "um valor de enumeração só pode ser comparado e guardado",
             )
                 .into(),
             Generic::Bit if name == "NOT" && !base.is_text() => both(
@@ -166,7 +166,7 @@ impl Builder<'_, '_> {
                 };
                 write(self.converting(format!("{base}_TO_{int}"), &written))
             }
-            _ if base.is_text() => ("CONCAT joins texts", "CONCAT junta textos").into(),
+            _ if base.is_text() => ("CONCAT joins strings", "CONCAT junta textos").into(),
             _ => both(
                 format!("use a variable of another type for {written}"),
                 format!("use uma variável de outro tipo para {written}"),

@@ -65,8 +65,8 @@ impl Builder<'_, '_> {
         if blocks {
             let (written, what) = (self.written(target.at), self.what_type(target.ty));
             let help = (
-                "an instance is called; store in its inputs",
-                "uma instância se chama; guarde nas entradas dela",
+                "call the instance, and store values in its inputs",
+                "chame a instância e guarde valores nas entradas dela",
             );
             self.tell(
                 Code::StNotWritable,
@@ -205,8 +205,8 @@ impl Builder<'_, '_> {
         let help = match expr.base {
             Base::Bool => both("IF tells TRUE from FALSE", "IF distingue TRUE de FALSE"),
             _ => both(
-                "CASE takes an integer or an enumeration; IF and ELSIF compare all else",
-                "CASE aceita um inteiro ou uma enumeração; IF e ELSIF comparam o resto",
+                "CASE takes an integer or an enumeration; use IF and ELSIF for anything else",
+                "CASE aceita um inteiro ou uma enumeração; use IF e ELSIF para o resto",
             ),
         };
         let (written, is) = (self.written(expr.at), self.type_of(&expr));

@@ -81,14 +81,14 @@ impl Builder<'_, '_> {
                     "uma parte de uma etapa ou ação do SFC",
                 ),
                 (
-                    "only transitions change steps; write a TRANSITION to this step",
-                    "só as transições mudam as etapas; escreva uma TRANSITION para esta etapa",
+                    "only transitions activate steps; write a TRANSITION to this step",
+                    "só as transições ativam etapas; escreva uma TRANSITION para esta etapa",
                 ),
             ),
             Lock::Sensor => (
                 (
-                    "an input, which only its sensor changes",
-                    "uma entrada, que só o seu sensor muda",
+                    "an input, which only its sensor can change",
+                    "uma entrada, que só o sensor dela pode mudar",
                 ),
                 (
                     "store in an output (%QX1) or a variable",

@@ -9,7 +9,7 @@ export const ASSIST = {
   formText: ["Format", "Formatar"],
   remedies: ["Fix this line", "Corrigir esta linha"],
   newName: ["New name", "Novo nome"],
-  notDeclared: ["This text declares no name here.", "Este texto não declara nenhum nome aqui."],
+  notDeclared: ["There is no declared name here.", "Não há um nome declarado aqui."],
   noRemedy: ["There is nothing on this line that I can fix.", "Não há nada nesta linha que eu saiba corrigir."],
   useDeclares: ["declared here", "declarado aqui"],
   useWrites: ["written here", "escrito aqui"],

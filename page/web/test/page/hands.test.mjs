@@ -82,7 +82,7 @@ const STEPS = [
   }],
   ["time stands, goes on, goes at 1/10 and 1/100", async (page, hand) => {
     await pick(page, "#pause", hand);
-    await page.locator("#pace", { hasText: "Time stands still" }).waitFor();
+    await page.locator("#pace", { hasText: "Time is stopped" }).waitFor();
     await pick(page, "#pause", hand);
     for (const [speed, pace] of /** @type {const} */ ([["0.1", /^0\.(1|0[5-9])\d* × real time/], ["0.01", /^0\.0[01]\d* × real time/], ["1", /^(1|0\.[89])\d* ×/]])) {
       await hand.choose(page, "#speed", speed);
@@ -263,7 +263,7 @@ const STEPS = [
   }],
   ["a step of the tutorial is read, done, and left", async (page, hand) => {
     await pick(page, "#lessons", hand);
-    for (const name of ["Open this program", "Check the step", "Show a solution", "Check the exercise", "Next step", "Step before"]) await hand.press(page, named(page, name));
+    for (const name of ["Open this program", "Check the step", "Show a solution", "Check the exercise", "Next step", "Previous step"]) await hand.press(page, named(page, name));
     await page.locator("#lesson .chip", { hasText: "Step 1 of" }).waitFor();
     await hand.press(page, page.locator("#lesson").getByRole("button", { name: "Close" }));
     await page.locator("#lesson").waitFor({ state: "hidden" });

@@ -23,7 +23,7 @@ after(() => lab.end());
 const SHEET = 350;
 
 for (const [width, height] of SIZES) {
-  for (const [locale, sentence] of /** @type {const} */ ([["en-US", /makes a PLC of an Arduino UNO/], ["pt-BR", /faz de um Arduino UNO um CLP/]])) {
+  for (const [locale, sentence] of /** @type {const} */ ([["en-US", /turns an Arduino UNO into a PLC/], ["pt-BR", /transforma um Arduino UNO em um CLP/]])) {
     test(`a newcomer sees a sentence, a program that runs, and three doors, ${locale}, ${width} × ${height}`, async () => {
       const phone = width < 760;
       const { page, said } = await newcomer(lab, { locale, viewport: { width, height }, hasTouch: phone, isMobile: phone });

@@ -88,7 +88,7 @@ test("an exercise is dropped with its machine, whose rules are sentences, and a 
   await drop(page, [["porch-exercise.toml", EXERCISE], ["porch.toml", MACHINE]]);
   await page.locator("#exercise h3", { hasText: "A light on the porch" }).waitFor();
   assert.equal(await keptText(page), text, "the program stays as it was");
-  assert.equal(await page.locator("#exercise-list option:checked").evaluate((option) => option.closest("optgroup")?.label), "Of your class");
+  assert.equal(await page.locator("#exercise-list option:checked").evaluate((option) => option.closest("optgroup")?.label), "From your class");
   await page.locator("#machine-rules li", { hasText: "Never: Light (it is lit) and not Bell (somebody presses it), for longer than 0.2 s" }).waitFor();
   await page.locator("#machine-rules li", { hasText: "within 0.5 s: Light (it is lit)" }).waitFor();
   await solve(page);
@@ -129,7 +129,7 @@ test("what a teacher serves stands first in the list and in the gallery", async 
   await served("machines.json", [{ ...plant, title: { en: "Porch", pt: "Varanda" }, about: { en: "A lamp.", pt: "Uma lâmpada." }, isOwn: true }]);
   await pick(page, "#exercises");
   await page.locator("#notes", { hasText: "cannot be opened as an exercise" }).waitFor();
-  assert.equal(await page.locator("#exercise-list optgroup").first().getAttribute("label"), "Of your class");
+  assert.equal(await page.locator("#exercise-list optgroup").first().getAttribute("label"), "From your class");
   await solve(page);
   await pick(page, "#machines");
   const card = page.locator("#gallery .gallery-card").first();

@@ -99,7 +99,7 @@ test("by the keyboard: by lines, a breakpoint on a line without code, to here, a
   // The comment makes no code: the next line that does is told.
   await page.locator(".cm-line").nth(2).click();
   await page.keyboard.press("F9");
-  await page.locator("#notes", { hasText: "Line 3 makes no code. The breakpoint is on line 4." }).waitFor();
+  await page.locator("#notes", { hasText: "Line 3 generates no code. The breakpoint is on line 4." }).waitFor();
   assert.equal(await page.locator(".slow-breaks button").count(), 1);
   await page.keyboard.press("F4");
   await stands(page, /Next: line 4/);

@@ -13,7 +13,7 @@ before(async () => {
 after(() => lab.end());
 
 const WORDS = {
-  "en-US": { put: "Put it into the editor", next: "Next step", draw: "Begin on an empty sheet", rung: "Draw it first" },
+  "en-US": { put: "Put it into the editor", next: "Next step", draw: "Start on an empty sheet", rung: "Draw it first" },
   "pt-BR": { put: "Pôr no editor", next: "Próximo passo", draw: "Começar em uma folha vazia", rung: "Desenhe primeiro" },
 };
 

@@ -86,7 +86,7 @@ test("a press before the diagram is drawn anew goes to a change, and one comes b
   await tab(page, "trend");
   await page.locator(".trend canvas").waitFor();
   await pick(page, "#pause");
-  await page.locator("#pace", { hasText: "Time stands still" }).waitFor();
+  await page.locator("#pace", { hasText: "Time is stopped" }).waitFor();
   const reading = page.locator("#trend-reading");
   // The picture is still that of ten seconds.
   await page.evaluate(() => {

@@ -144,7 +144,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "grade",
         "moodle",
-        "Mostra pontos de 100 para a importação de notas do Moodle: uma linha por aluno",
+        "Mostra notas de 0 a 100 para a importação do Moodle: uma linha por aluno",
     ),
     (
         "grade",

@@ -21,17 +21,17 @@ unoclp_words::messages! {
         "{file} already exists and is not overwritten; name another output file"
         "{file} já existe e não será sobrescrito; indique outro arquivo de saída";
     not_adapted(file)
-        "{file} is not Instruction List, Structured Text or PLCopen XML: only there are points written as %QX1.3"
-        "{file} não é Lista de Instruções, Texto Estruturado nem PLCopen XML: só neles os pontos se escrevem como %QX1.3";
+        "{file} is not Instruction List, Structured Text or PLCopen XML: only those write points as %QX1.3"
+        "{file} não é Lista de Instruções, Texto Estruturado nem PLCopen XML: só eles escrevem pontos como %QX1.3";
     no_editor(why)
-        "no editor speaks here: {why}. An editor starts this command itself; docs/editors.md says how"
-        "nenhum editor fala aqui: {why}. O próprio editor inicia este comando; docs/editors.pt-BR.md explica como";
+        "this command talks to an editor, and none answered: {why}. An editor starts it itself; docs/editors.md explains how"
+        "este comando conversa com um editor, e nenhum respondeu: {why}. O próprio editor o inicia; docs/editors.pt-BR.md explica como";
     can_be_adapted(file, points, board)
         "unoclp adapt {file} -o COPY writes a copy that moves {points} to free points of the {board}"
         "unoclp adapt {file} -o COPIA grava uma cópia que passa {points} para pontos livres do {board}";
     nothing_to_adapt(board)
-        "the {board} has all points of this text; there is no copy"
-        "o {board} tem todos os pontos deste texto; não há cópia";
+        "the {board} has all points of this text; no copy was written"
+        "o {board} tem todos os pontos deste texto; nenhuma cópia foi gravada";
     no_place(board, points)
         "the {board} has no free point for {points}; they stay as they are"
         "o {board} não tem ponto livre para {points}; eles ficam como estão";
@@ -106,7 +106,7 @@ unoclp_words::messages! {
         "{folder} contains no exercise. An exercise is a scenario file with cases, and its name ends in .toml"
         "{folder} não tem nenhum exercício. Um exercício é um arquivo de cenário com casos, e seu nome termina em .toml";
     which_exercise()
-        "this file does not say which exercise it solves; name one exercise in place of the folder, or ask for a hand-in"
+        "this file does not say which exercise it solves; name one exercise instead of the folder, or ask for a hand-in"
         "este arquivo não diz qual exercício resolve; indique um exercício em vez da pasta, ou peça uma entrega";
     other_exercise(exercise)
         "it was handed in for the exercise {exercise}, which is not graded here; name the file of that exercise, or a folder that has it"
@@ -118,13 +118,13 @@ unoclp_words::messages! {
         "{file}:{line}:{column}: the file is damaged: from here on it is not JSON; ask the student to hand in again from the page"
         "{file}:{line}:{column}: o arquivo está danificado: daqui em diante não é JSON; peça ao aluno que entregue de novo pela página";
     hand_in_lacks(file, key)
-        "{file}: `{key}` is missing, or is not a text; ask the student to hand in again from the page"
+        "{file}: `{key}` is missing, or is not a string; ask the student to hand in again from the page"
         "{file}: falta `{key}`, ou não é um texto; peça ao aluno que entregue de novo pela página";
     hand_in_other_form(file, form, due)
         "{file}: `form` is {form}, and this unoclp reads {due}; use the unoclp of the same version as the page"
         "{file}: `form` é {form}, e este unoclp lê {due}; use o unoclp da mesma versão que a página";
     says_passed(file)
-        "{file}: the hand-in claims to have passed, but it did not; the table counts"
+        "{file}: the hand-in claims to have passed, but it did not; the table has the valid result"
         "{file}: a entrega diz que passou, e não passou; o que vale é a tabela";
     moodle_identifier() "Identifier" "Identificador";
     moodle_name() "Full name" "Nome completo";
@@ -284,13 +284,13 @@ unoclp_words::messages! {
         "the board at {port} is shared with this PC only"
         "a placa em {port} é compartilhada só com este PC";
     not_served_site(address, error)
-        "cannot listen at {address}: {error}. Set another address under `listen` in the site file"
+        "cannot listen on {address}: {error}. Set another address under `listen` in the site file"
         "não é possível usar o endereço {address}: {error}. Indique outro em `listen`, no arquivo de instalação";
     overview_at(page)
         "all boards: {page}site.html"
         "todas as placas: {page}site.html";
     page_of_board(name)
-        "board {name}: the same page with #board/{name} in place of #board"
+        "board {name}: the same page with #board/{name} instead of #board"
         "placa {name}: a mesma página com #board/{name} em vez de #board";
     modbus_at(address) "Modbus TCP: {address}" "servidor Modbus TCP: {address}";
     mqtt_there(broker) "{broker}: connected" "{broker}: conectado";
@@ -515,7 +515,7 @@ unoclp_words::messages! {
         "programas errados que passam: {passed} de {count}";
     slip_inverted() "a contact inverted" "um contato invertido";
     slip_dropped() "a contact left out" "um contato a menos";
-    slip_joined() "series for parallel" "série por paralelo";
+    slip_joined() "series in place of parallel" "série no lugar de paralelo";
     slip_halved() "a number halved" "um número pela metade";
     slip_doubled() "a number doubled" "um número em dobro";
     slip_swapped() "two coils swapped" "duas bobinas trocadas";
@@ -533,8 +533,8 @@ unoclp_words::messages! {
         "the animation cannot be made: {why}"
         "não foi possível fazer a animação: {why}";
     built_without_gif()
-        "this unoclp was built without animations"
-        "este unoclp foi compilado sem animações";
+        "this unoclp was built without support for animations"
+        "este unoclp foi compilado sem suporte a animações";
     a_film() "an animated GIF" "um GIF animado";
     rules_kept(kept, rules, met, goals)
         "rules kept: {kept} of {rules}; goals met: {met} of {goals}"

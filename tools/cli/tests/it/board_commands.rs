@@ -258,7 +258,7 @@ fn said_of_settings(fake: &Fake, more: &[&str]) -> String {
         .collect()
 }
 
-const TO_UNLOCK: &str = "; to unlock, reset the board with A5 and the inputs 01 to 04 to ground, then write any \
+const TO_UNLOCK: &str = "; to unlock, reset the board with A5 and inputs 01 to 04 connected to ground, then write any \
                          setting\n";
 
 #[test]
@@ -388,7 +388,7 @@ fn a_locked_board_is_not_stopped_for_an_upload() {
     let program = file("locked.txt", FOLLOW);
     let fake = Fake::new(locked(0b1));
     let (code, _, err) = on(&fake, &["upload", &program]);
-    let says = format!("error: the board is locked against uploads{TO_UNLOCK}");
+    let says = format!("error: uploads are locked on this board{TO_UNLOCK}");
     assert_eq!((code, err), (2, says));
     assert!(fake.board().state == RUN && !fake.board().stopped);
 }
@@ -422,7 +422,7 @@ fn a_board_whose_commands_are_locked_is_stopped_by_a5_only() {
     });
     let (code, _, err) = on(&fake, &["upload", &program]);
     let says = "error: the program is stored, but the board does not start it: \
-                the board is locked against this\n";
+                this is locked on the board\n";
     assert_eq!((code, err.as_str()), (2, says));
 }
 
@@ -569,7 +569,7 @@ fn a_board_is_told_of_in_portuguese() {
         (
             locked(0b1),
             upload,
-            "erro: os envios estão bloqueados na placa; para desbloquear",
+            "erro: os envios estão bloqueados nesta placa; para desbloquear",
         ),
         (
             locked(0b100),

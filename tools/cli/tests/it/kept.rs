@@ -16,25 +16,25 @@ fn check_tells_how_old_a_kept_number_may_be() {
             2,
             26,
             "2 numbers, at most 1 minute old",
-            "2 números, de no máximo 1 minuto antes",
+            "2 números, gravados no máximo 1 minuto antes",
         ),
         (
             1,
             516,
             "1 number, at most 1 minute old",
-            "1 número, de no máximo 1 minuto antes",
+            "1 número, gravado no máximo 1 minuto antes",
         ),
         (
             16,
             465,
             "16 numbers, at most 9 minutes old",
-            "16 números, de no máximo 9 minutos antes",
+            "16 números, gravados no máximo 9 minutos antes",
         ),
         (
             16,
             733,
             "16 numbers, at most 27 minutes old",
-            "16 números, de no máximo 27 minutos antes",
+            "16 números, gravados no máximo 27 minutos antes",
         ),
     ] {
         let program = file(
@@ -110,7 +110,7 @@ fn retaining(contacts: usize) -> String {
 fn check_and_compile_tell_it_of_instruction_list_too() {
     let text = file("retaining.il", &retaining(700));
     let english = "after a power cut: 2 numbers, at most 4 minutes old\n";
-    let portuguese = "após uma queda de energia: 2 números, de no máximo 4 minutos antes\n";
+    let portuguese = "após uma queda de energia: 2 números, gravados no máximo 4 minutos antes\n";
     for (lang, told) in [("C", english), ("pt_BR.UTF-8", portuguese)] {
         let (code, out, _) = outcome_in(&["check", &text], lang);
         assert!(code == 0 && out.contains(&format!("\n  {told}")), "{out}");

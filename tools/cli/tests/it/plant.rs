@@ -42,7 +42,7 @@ fn a_rule_that_breaks_is_told_with_its_second_and_drawn() {
     ];
     let (code, said, told) = outcome(&arguments);
     assert_eq!(code, 1, "{said}{told}");
-    let first = "em 15.";
+    let first = "aos 15.";
     assert!(
         said.contains(first) && said.contains("Ninguém é esmagado"),
         "{said}"
@@ -229,7 +229,9 @@ fn hidden_chances_are_told_to_the_teacher() {
     let (code, said, _) = outcome(&["grade", &hidden, &program, "--csv"]);
     assert_eq!(code, 1, "{said}");
     assert!(
-        said.contains(",no,1,1,,with hidden chances (2): at 2.599 s a rule was broken: No metal"),
+        said.contains(
+            ",no,1,1,,with hidden random values (2): at 2.599 s a rule was broken: No metal"
+        ),
         "{said}"
     );
 }

@@ -37,11 +37,11 @@ fn what_no_ladder_of_a_project_has_is_named_and_becomes_instruction_list() {
     for (lang, told) in [
         (
             "en",
-            "XML-523: rung 1: a ladder of PLCopen XML has no form for `IF`",
+            "XML-523: rung 1: a PLCopen XML ladder cannot express `IF`",
         ),
         (
             "pt-BR",
-            "XML-523: degrau 1: um ladder do PLCopen XML não tem forma para `IF`",
+            "XML-523: degrau 1: um ladder do PLCopen XML não consegue exprimir `IF`",
         ),
     ] {
         let (code, out, errors) = outcome_in(&["list", &program, "--as", "xml"], lang);

@@ -110,7 +110,7 @@ pub(super) struct CaseKeys {
 #[derive(Deserialize)]
 #[serde(
     untagged,
-    expecting = "`text` must be a text, or a list of texts and repeated texts"
+    expecting = "`text` must be a string, or a list of strings and repeated strings"
 )]
 pub(super) enum TextKey {
     Whole(String),

@@ -17,7 +17,7 @@ unoclp_words::messages! {
         "{told}; put keys of the whole file above the first [[step]]"
         "{told}; ponha as chaves do arquivo inteiro acima do primeiro [[step]]";
     a_text()
-        "`text` must be a text, or a list of texts and repeated texts"
+        "`text` must be a string, or a list of strings and repeated strings"
         "`text` deve ser um texto, ou uma lista de textos e textos repetidos";
     both_languages()
         "write a text as \"…\" or {{ en = \"…\", pt = \"…\" }}, or with only one of the two languages"
@@ -30,7 +30,7 @@ unoclp_words::messages! {
         "{told}; a scenario is a file in TOML (.toml)"
         "{told}; um cenário é um arquivo em TOML (.toml)";
     too_many_scans(scans, most)
-        "this makes {scans} scans, but all cases of a file may have {most}; end it earlier (`until`), or make `scan_ms` longer"
+        "this makes {scans} scans, but all cases of a file together may make {most}; end it earlier (`until`), or make `scan_ms` longer"
         "isto dá {scans} varreduras, mas os casos de um arquivo podem somar {most}; termine antes (`until`) ou aumente `scan_ms`";
     program(name, why) "the program {name} {why}" "o programa {name} {why}";
     has_errors() "has errors; `unoclp check` shows them" "tem erros; `unoclp check` os mostra";
@@ -50,14 +50,14 @@ unoclp_words::messages! {
         "[find] hides a fault in a machine; name one with `plant`"
         "[find] esconde uma falha em uma máquina; indique uma com `plant`";
     seeds_without()
-        "`seeds` are further chances of a machine; name one with `plant`"
-        "`seeds` são outros acasos de uma máquina; indique uma com `plant`";
+        "`seeds` are further random seeds of a machine; name one with `plant`"
+        "`seeds` são outras sementes aleatórias de uma máquina; indique uma com `plant`";
     many_seeds(most)
         "`seeds` has more than {most}; leave some out"
         "`seeds` tem mais de {most}; tire alguns";
     hidden_chance(seed, why)
-        "with hidden chances ({seed}): {why}"
-        "com acasos ocultos ({seed}): {why}";
+        "with hidden random values ({seed}): {why}"
+        "com valores aleatórios ocultos ({seed}): {why}";
     two_programs()
         "`program` and `text` both give a program; keep one of them"
         "`program` e `text` dão cada um um programa; deixe só um dos dois";
@@ -66,7 +66,7 @@ unoclp_words::messages! {
         "a program with a `fault` never runs; remove `fault`, or the steps and `until`"
         "um programa com `fault` nunca roda; tire `fault`, ou os passos e `until`";
     no_fault(number)
-        "there is no fault {number}; docs/numeric-code.md lists them"
+        "there is no fault {number}; docs/faults.md lists them"
         "não existe a falha {number}; docs/faults.pt-BR.md lista todas";
     line_zero()
         "lines count from 1; omit `line` if the fault has no line"
@@ -74,7 +74,7 @@ unoclp_words::messages! {
     no_period() "`scan_ms` must be 1 or more" "`scan_ms` deve ser 1 ou mais";
     ends_early(last)
         "`until` comes before the last step, at {last} ms"
-        "`until` vem antes do último passo, em {last} ms";
+        "`until` vem antes do último passo, aos {last} ms";
     no_board(name, known)
         "there is no board \"{name}\"; boards are {known}"
         "não existe a placa \"{name}\"; as placas são {known}";
@@ -95,10 +95,10 @@ unoclp_words::messages! {
         "a execução termina em `stops`; tire `until` e os passos depois dele";
     no_scan(at, period)
         "no scan starts at {at} ms; scans start every {period} ms (`scan_ms`)"
-        "nenhuma varredura começa em {at} ms; começa uma a cada {period} ms (`scan_ms`)";
+        "nenhuma varredura começa aos {at} ms; começa uma a cada {period} ms (`scan_ms`)";
     order(at, last)
-        "the step at {at} ms is not later than the one at {last} ms; put the steps in order of time"
-        "o passo em {at} ms não é posterior ao de {last} ms; ponha os passos em ordem de tempo";
+        "the step at {at} ms is not later than the one at {last} ms; put the steps in chronological order"
+        "o passo aos {at} ms não é posterior ao de {last} ms; ponha os passos em ordem cronológica";
     not_set(name, inputs, analogue, markers, registers)
         "{name} cannot be set; set I1 to I{inputs}, A0 to A{analogue}, M1 to M{markers} or D1 to D{registers}"
         "{name} não pode receber um valor; use I1 a I{inputs}, A0 a A{analogue}, M1 a M{markers} ou D1 a D{registers}";
@@ -118,32 +118,32 @@ unoclp_words::messages! {
     refused_as_expected(fault) "refused as expected: {fault}" "recusado como esperado: {fault}";
     stopped_as_expected(at, fault)
         "stopped as expected at {at} ms: {fault}"
-        "parou como esperado em {at} ms: {fault}";
+        "parou como esperado aos {at} ms: {fault}";
     expected(what) "expected {what}" "esperado: {what}";
     came(what) "came     {what}" "ocorreu:  {what}";
-    at_time(at, what) "at {at} ms {what}" "em {at} ms, {what}";
+    at_time(at, what) "at {at} ms {what}" "aos {at} ms, {what}";
     that_it_runs() "that the program runs" "que o programa rodasse";
-    that_it_runs_on() "that the program runs on" "que o programa continuasse";
-    but_ran_on() "but the program ran on" "mas o programa continuou";
+    that_it_runs_on() "that the program keeps running" "que o programa continuasse";
+    but_ran_on() "but the program kept running" "mas o programa continuou";
     but_accepted() "but the program was accepted" "mas o programa foi aceito";
     unmet(place, from, expected, came)
         "{place} at {from} ms: expected {expected}, got {came}"
-        "{place} em {from} ms: esperado {expected}, ocorreu {came}";
+        "{place} aos {from} ms: esperado {expected}, ocorreu {came}";
     unmet_until(unmet, to) "{unmet} (until {to} ms)" "{unmet} (até {to} ms)";
     more(count) "… and {count} more" "… e mais {count}";
     while_loaded(reason)
         "while the program was loaded: {reason}"
         "enquanto o programa era carregado: {reason}";
-    broken_at(at, reason) "at {at} ms: {reason}" "em {at} ms: {reason}";
+    broken_at(at, reason) "at {at} ms: {reason}" "aos {at} ms: {reason}";
     fault(number) "fault {number}" "falha {number}";
     fault_in_line(number, line) "fault {number}, line {line}" "falha {number}, linha {line}";
-    rule_broken(at, text) "at {at} a rule was broken: {text}" "em {at} uma regra foi violada: {text}";
+    rule_broken(at, text) "at {at} a rule was broken: {text}" "aos {at} uma regra foi violada: {text}";
     goal_missed(at, text, since)
         "at {at} a goal was missed: {text} (since {since})"
-        "em {at} uma meta não foi atingida: {text} (desde {since})";
+        "aos {at} uma meta não foi atingida: {text} (desde {since})";
     stopped_in(at, fault)
         "at {at} the program ended: {fault}"
-        "em {at} o programa parou: {fault}";
+        "aos {at} o programa parou: {fault}";
 }
 
 #[cfg(test)]

@@ -181,7 +181,7 @@ fn english(typical: &Tally, mutants: usize, by_machine: usize) -> String {
          | caught by the cases alone | {cases_alone} |\n\
          | pass the cases that the page shows, and fail on the machine | {not_shown} |\n\
          | pass the hidden ones too, and fail on the machine | {machine_alone} |\n\n\
-         Of {mutants} wrong programs that `unoclp mutants` makes of the model solutions, {by_machine} pass all cases and fail \
+         Of {mutants} wrong programs that `unoclp mutants` makes from the model solutions, {by_machine} pass all cases and fail \
          on the machine. None passes both.\n"
     )
 }
@@ -200,7 +200,7 @@ fn portuguese(typical: &Tally, mutants: usize, by_machine: usize) -> String {
          | pegos só pelos casos | {cases_alone} |\n\
          | passam nos casos que a página mostra, e falham na máquina | {not_shown} |\n\
          | passam também nos ocultos, e falham na máquina | {machine_alone} |\n\n\
-         De {mutants} programas errados que `unoclp mutants` faz das soluções-modelo, {by_machine} passam em todos os casos e \
+         De {mutants} programas errados que `unoclp mutants` gera a partir das soluções-modelo, {by_machine} passam em todos os casos e \
          falham na máquina. Nenhum passa nos dois.\n"
     )
 }

@@ -37,11 +37,11 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("[[step]]\nat = 0\nset = { I1 = \"any\" }", 5, "I1 must be 0 or 1"),
         ("[[step]]\nat = 0\nexpect = { Q1 = true }", 5, "Q1 must be 0 or 1, or \"any\""),
         ("[[step]]\nat = 0\nexpect = { Q1 = \"all\" }", 5, "Q1 must be 0 or 1, or \"any\""),
-        ("until = 1000000000\n[[step]]\nat = 0", 3, "this makes 1000000001 scans, but all cases of a file may have 2000000; end it earlier (`until`), or make `scan_ms` longer"),
+        ("until = 1000000000\n[[step]]\nat = 0", 3, "this makes 1000000001 scans, but all cases of a file together may make 2000000; end it earlier (`until`), or make `scan_ms` longer"),
         ("names = { Q1 = 1 }\n[[step]]\nat = 0", 3, "write a text as \"…\" or { en = \"…\", pt = \"…\" }, or with only one of the two languages"),
         ("names = { Q1 = {} }\n[[step]]\nat = 0", 3, "write a text as \"…\" or { en = \"…\", pt = \"…\" }, or with only one of the two languages"),
-        ("[[step]]\nat = 5\n[[step]]\nat = 4", 6, "the step at 4 ms is not later than the one at 5 ms; put the steps in order of time"),
-        ("[[step]]\nat = 5\n[[step]]\nat = 5", 6, "the step at 5 ms is not later than the one at 5 ms; put the steps in order of time"),
+        ("[[step]]\nat = 5\n[[step]]\nat = 4", 6, "the step at 4 ms is not later than the one at 5 ms; put the steps in chronological order"),
+        ("[[step]]\nat = 5\n[[step]]\nat = 5", 6, "the step at 5 ms is not later than the one at 5 ms; put the steps in chronological order"),
         ("scan_ms = 7\n[[step]]\nat = 15", 5, "no scan starts at 15 ms; scans start every 7 ms (`scan_ms`)"),
         ("scan_ms = 0\n[[step]]\nat = 0", 3, "`scan_ms` must be 1 or more"),
         ("until = 4\n[[step]]\nat = 5", 3, "`until` comes before the last step, at 5 ms"),
@@ -60,12 +60,12 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("given = \"LD I1\\nST Q1\\n\"\nanswer_in = \"cobol\"\nuntil = 5", 4, "`answer_in` names no language; write \"st\", \"scl\", \"iscl\", \"lce\", \"il\", \"xml\" or \"numeric\""),
         ("given = \"LD I9\\n\"\nanswer_in = \"st\"\nuntil = 5", 3, "the program in `given` has errors; `unoclp check` shows them"),
         ("find = { part = \"k1\", is = \"welded\" }\nuntil = 5", 3, "[find] hides a fault in a machine; name one with `plant`"),
-        ("seeds = [1]\nuntil = 5", 3, "`seeds` are further chances of a machine; name one with `plant`"),
+        ("seeds = [1]\nuntil = 5", 3, "`seeds` are further random seeds of a machine; name one with `plant`"),
         ("plant = \"m.toml\"\nseeds = [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1]\nuntil = 5", 4, "`seeds` has more than 20; leave some out"),
         ("equivalent = [{ was = \"LD I1\", is = \"\" }]\nuntil = 5", 3, "missing field `why`"),
         ("fault = { number = 24 }\nuntil = 5", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
         ("fault = { number = 24 }\n[[step]]\nat = 0", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
-        ("fault = { number = 99 }", 3, "there is no fault 99; docs/numeric-code.md lists them"),
+        ("fault = { number = 99 }", 3, "there is no fault 99; docs/faults.md lists them"),
         ("fault = { number = 24, line = 0 }", 3, "lines count from 1; omit `line` if the fault has no line"),
         ("fault = { number = 24, code = 1 }", 3, "unknown field `code`, expected `number` or `line`"),
         ("[[step]]\nat = 0\nset = { A5 = 1 }", 5, "A5 cannot be set; set I1 to I8, A0 to A4, M1 to M64 or D1 to D98"),
@@ -80,7 +80,7 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("stops = { at = 5, number = 75 }\nuntil = 5", 3, "the run ends at `stops`; remove `until` and later steps"),
         ("stops = { at = 5, number = 75 }\n[[step]]\nat = 6", 3, "the run ends at `stops`; remove `until` and later steps"),
         ("scan_ms = 2\nstops = { at = 5, number = 75 }", 4, "no scan starts at 5 ms; scans start every 2 ms (`scan_ms`)"),
-        ("stops = { at = 5, number = 99 }", 3, "there is no fault 99; docs/numeric-code.md lists them"),
+        ("stops = { at = 5, number = 99 }", 3, "there is no fault 99; docs/faults.md lists them"),
         ("fault = { number = 24 }\nstops = { at = 5, number = 75 }", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
         ("[[step]]\nat = -1", 4, "invalid value: integer `-1`, expected u32"),
         ("[[step]]\nset = { I1 = 1 }", 3, "missing field `at`"),
@@ -261,7 +261,7 @@ fn a_run_may_end_in_a_fault() {
     );
     assert_eq!(
         told("stops-not.toml", "until = 4"),
-        format!("FAIL\n  expected that the program runs on\n  came     at 3 ms {fault}")
+        format!("FAIL\n  expected that the program keeps running\n  came     at 3 ms {fault}")
     );
     let runs_on = load(
         "runs-on.toml",
@@ -270,7 +270,7 @@ fn a_run_may_end_in_a_fault() {
     let report = check(&runs_on, &mut HostEngine::new(unoclp_core::Board::UNO));
     assert_eq!(
         report.verdict.to_string(),
-        format!("FAIL\n  expected at 2 ms {fault}\n  but the program ran on")
+        format!("FAIL\n  expected at 2 ms {fault}\n  but the program kept running")
     );
 }
 
@@ -285,7 +285,7 @@ fn a_text_may_be_given_by_its_parts() {
         Scenario::load(&path, unoclp_core::Board::UNO).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(scenario.program().bytes, b"0\n40\n40\n40\n41\n");
 
-    let kind = "`text` must be a text, or a list of texts and repeated texts";
+    let kind = "`text` must be a string, or a list of strings and repeated strings";
     #[rustfmt::skip]
     let cases = [
         ("5", kind),
@@ -340,7 +340,7 @@ fn a_report_is_told_in_portuguese() {
          0   ·   ·   ·   ·     ·   ·   ·   ·
 
 FALHOU
-  Q1 em 1 ms: esperado 1, ocorreu 0 (até 3 ms)";
+  Q1 aos 1 ms: esperado 1, ocorreu 0 (até 3 ms)";
     let told = report.text(Lang::Pt);
     assert!(told.ends_with(expected), "{told}");
     let scenario = load("recusa.toml", &format!("{HEAD}fault = {{ number = 24 }}\n"));

@@ -88,7 +88,7 @@ pub(crate) mod valve {
             open: FLAG, "whether it is open at all" "se está aberta";
             position: SHARE, "how far it is open" "quanto está aberta";
             flow: number(Unit::MlPerS, 0, 100_000), "what flows" "a vazão";
-            turned: HAND, "whether somebody holds it open by hand" "se alguém a mantém aberta com a mão";
+            turned: HAND, "whether somebody holds it open by hand" "se alguém a mantém aberta à mão";
             fine: inner(0, 1_000_000), "its position in small steps" "a posição em passos pequenos";
         }
         faults { Stuck Leaking Slow Open }

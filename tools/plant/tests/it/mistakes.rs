@@ -44,7 +44,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             1,
             "`title` takes another kind",
         ),
-        ("title = \"t\"\n".into(), 1, "there is no part"),
+        ("title = \"t\"\n".into(), 1, "there are no parts"),
         (
             part("wheel", ""),
             12,
@@ -141,7 +141,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("tank", "holds = \"5000 l\"\n"),
             13,
-            "`holds` is out of its range; give 0.1 l to 2000 l",
+            "`holds` is out of its range; use 0.1 l to 2000 l",
         ),
         (
             part("feeder", "onto = \"k\"\nmost = \"many\"\n"),
@@ -206,7 +206,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[step]]\nat = \"1 s\"\nset = { b = 2 }\n"),
             12,
-            "`b` is out of its range; give 0 to 1",
+            "`b` is out of its range; use 0 to 1",
         ),
         (
             with("[[fault]]\npart = \"k\"\nis = \"leaking\"\nat = \"1 s\"\n"),

@@ -80,7 +80,7 @@ fn balance(cause: Cause, lang: Lang) -> Option<&'static str> {
             "guarde uma parte do resultado em um registrador",
         ),
         Cause::ValueLeftPushed => (
-            "use the value before this line, by an operation with XX = 99",
+            "use the value before this line, in an operation with XX = 99",
             "use o valor antes desta linha, em uma operação com XX = 99",
         ),
         Cause::NotReal => (

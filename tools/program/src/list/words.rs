@@ -24,7 +24,7 @@ unoclp_words::messages! {
     constant() "the constant" "a constante";
     popped() "value (the pushed value comes first)" "valor (o empilhado vem antes)";
     to_registers(first) "to {first} on" "para {first} em diante";
-    so_many_registers() "so many registers" "o número de registradores";
+    so_many_registers() "number of registers" "o número de registradores";
     so_many_steps() "number of steps" "número de passos";
     outputs_of(step) "step {step}: outputs 01 02 03 04" "passo {step}: saídas 01 02 03 04";
     from_this() "from this …" "disto …";

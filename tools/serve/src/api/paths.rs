@@ -292,7 +292,7 @@ async fn panels(State(api): State<Api>) -> Response<Body> {
     (status = 200, description = "The board has taken it", body = Taken),
     (status = 400, description = "This is no value for this point", body = Wrong),
     (status = 403, description = "This needs the role operate", body = Wrong),
-    (status = 404, description = "No panel lets this point be written", body = Wrong),
+    (status = 404, description = "No panel allows writing to this point", body = Wrong),
     (status = 409, description = "Somebody controls the board, it keeps another program, or the button is not held any more", body = Wrong),
     (status = 503, description = "The board is away", body = Wrong)))]
 async fn write(

@@ -44,7 +44,7 @@ pub struct Class {
     /// Print a table for a spreadsheet: comma-separated values
     #[arg(long)]
     csv: bool,
-    /// Print points of 100 for the import of grades of Moodle: a line for each student
+    /// Print grades from 0 to 100 for the import of Moodle: a line for each student
     #[arg(long, conflicts_with = "csv")]
     moodle: bool,
     /// Write a page with each program as a ladder, and its first failing case as a timing diagram
