@@ -11,7 +11,7 @@ use unoclp_exercise::live::Charts;
 use unoclp_plcopen::{charts, is_project, write_chart};
 use unoclp_program::{Lang, list::Look};
 use unoclp_sfc::edit::{Operation, Refusal, Side};
-use unoclp_sfc::{Document, Id, Qualifier, Sheet, svg};
+use unoclp_sfc::{Document, Id, Origin, Qualifier, Sheet, svg};
 use unoclp_workspace::Analysis;
 
 answer! {
@@ -59,6 +59,8 @@ answer! {
         from: Vec<usize>,
         /// Where it stands in the text, and where the statements of its action do: units of UTF-16, from and to.
         places: Vec<[usize; 2]>,
+        /// The instructions that it has become, from 0; none while the text is no program.
+        steps: Vec<usize>,
     }
 }
 
@@ -110,13 +112,19 @@ pub fn charted(analysis: &Analysis, look: &str, act: Option<Act>) -> Result<Char
         (text, select) = (Some(after), Some(id.to_string()));
     }
     // What has just been changed is compiled when the page has its text.
-    let live = match (&text, analysis.check()) {
-        (None, Some(Ok(source))) => Charts::new(source),
-        _ => Charts::default(),
+    let source = match text {
+        None => analysis.source(),
+        Some(_) => None,
     };
-    let charts = documents
-        .iter()
-        .map(|document| drawn(document, look, &live, is_project));
+    let live = source.map(Charts::new).unwrap_or_default();
+    let charts = documents.iter().map(|document| {
+        let known = source.and_then(|source| {
+            let mut charts = source.charts.iter().zip(&source.origins);
+            charts.find(|(chart, _)| chart.unit == document.unit)
+        });
+        let origins = known.map_or(&[][..], |(_, origins)| origins);
+        drawn(document, look, &live, is_project, origins)
+    });
     Ok(Charted {
         charts: charts.collect(),
         text,
@@ -124,7 +132,13 @@ pub fn charted(analysis: &Analysis, look: &str, act: Option<Act>) -> Result<Char
     })
 }
 
-fn drawn(document: &Document, look: Look, live: &Charts, is_project: bool) -> ChartDrawn {
+fn drawn(
+    document: &Document,
+    look: Look,
+    live: &Charts,
+    is_project: bool,
+    origins: &[Option<Origin>],
+) -> ChartDrawn {
     let sheet = Sheet::drawn(document, look);
     let of_unit = |chart: &&unoclp_exercise::live::Chart| chart.document.unit == document.unit;
     let points = live.all().iter().find(of_unit).map_or(Vec::new(), |chart| {
@@ -157,6 +171,10 @@ fn drawn(document: &Document, look: Look, live: &Charts, is_project: bool) -> Ch
         // A project has its charts in another form.
         let places = own.into_iter().chain(action).filter(|_| !is_project);
         part.places = places.copied().collect();
+        let origin = document.origin(item.id);
+        let made = origins.iter().enumerate();
+        let made = made.filter(|(_, from)| from.is_some() && **from == origin);
+        part.steps = made.map(|(step, _)| step).collect();
         part
     });
     let parts = parts.collect();
@@ -189,6 +207,7 @@ fn part(document: &Document, id: Id, (x, y): (f32, f32)) -> ChartPart {
         initial: false,
         from: Vec::new(),
         places: Vec::new(),
+        steps: Vec::new(),
     };
     match id {
         Id::Step(step) => {
