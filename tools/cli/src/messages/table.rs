@@ -599,7 +599,7 @@ unoclp_words::messages! {
         " q sai  espaço {run}  s varre  r reset  v {view}  m {mode}{more}  e lento  ↑↓ rola";
     slow_keys()
         " e element  g rung  l line  s end  ↑↓ h to here  b break  space go on  q quit"
-        " e elemento  g degrau  l linha  s fim  ↑↓ h até aqui  b parada  espaço segue  q sai";
+        " e elemento  g degrau  l linha  s fim  ↑↓ h aqui  b parada  espaço segue  q sai";
     slow_next(line, acc, value, stack)
         "next line {line}  acc {acc}  value {value}{stack}"
         "próxima linha {line}  acc {acc}  valor {value}{stack}";
