@@ -70,7 +70,7 @@ async function around(outdir) {
   for (const module of ["unoclp.wasm", "unoclp-full.wasm"]) cpSync(found(join("target/lab", module)), join(outdir, module));
   cpSync(found("firmware/unoclp-uno.hex"), join(outdir, "unoclp.hex"));
   writeFileSync(join(outdir, "unoclp.bin"), await binary(found("firmware/unoclp-uno.hex"), "uno"));
-  writeFileSync(join(outdir, "slow.json"), JSON.stringify({ UNO: await places("firmware/unoclp-uno.symbols") }));
+  writeFileSync(join(outdir, "slow.json"), JSON.stringify({ uno: await places("firmware/unoclp-uno.symbols"), mega: await places("firmware/unoclp-mega.symbols") }));
   cpSync(found("firmware/unoclp-nano.hex"), join(outdir, "unoclp-nano.hex"));
   cpSync(found("firmware/unoclp-mega.hex"), join(outdir, "unoclp-mega.hex"));
   writeFileSync(join(outdir, "unoclp-mega.bin"), await binary(found("firmware/unoclp-mega.hex"), "mega"));

@@ -35,6 +35,11 @@ pub struct Place {
 }
 
 impl SourceMap {
+    /// The line and column of each step.
+    pub fn at(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.steps.iter().map(|place| (place.line, place.column))
+    }
+
     /// What the rung that begins with this step is about: the comments before it, or after its first code.
     pub fn about(&self, first: usize) -> impl Iterator<Item = &str> {
         let places = self.steps.iter().skip(first).take(2);

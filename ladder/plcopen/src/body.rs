@@ -42,6 +42,10 @@ pub(crate) fn compile(
     imported.charts = unoclp_sfc::Document::all(text);
     imported.code = code;
     let program = made.program;
+    if let Some((_, map)) = &program {
+        let charts = imported.charts.iter();
+        imported.origins = charts.map(|of| of.origins(map.at())).collect();
+    }
     imported.program = program.map(|(checked, map)| (checked, written.placed(xml, map)));
 }
 

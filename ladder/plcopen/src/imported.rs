@@ -3,6 +3,7 @@
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_draw::edit::Document;
 use unoclp_lang::{Told, Trace, Variable};
+use unoclp_sfc::Origin;
 
 /// The result of importing a project.
 #[derive(Debug)]
@@ -19,6 +20,8 @@ pub struct Imported {
     pub traces: Vec<Trace>,
     /// Its charts.
     pub charts: Vec<unoclp_sfc::Document>,
+    /// What of each chart each instruction comes from.
+    pub origins: Vec<Vec<Option<Origin>>>,
     /// What was found in the project.
     pub diagnostics: Told,
 }

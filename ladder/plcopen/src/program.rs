@@ -33,6 +33,7 @@ pub fn import(text: &str, board: Board) -> Imported {
         variables: Vec::new(),
         traces: Vec::new(),
         charts: Vec::new(),
+        origins: Vec::new(),
         diagnostics: Told::default(),
     };
     if let Some(tree) = xml::parse(text, &mut found)

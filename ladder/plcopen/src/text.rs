@@ -185,19 +185,11 @@ impl Text {
         spans.filter(|span| span.start < span.end).collect()
     }
 
-    /// The byte of this line and column of the text.
-    fn byte(&self, own: &Lines, line: usize, column: usize) -> u32 {
-        let start = own.start(line as u32);
-        let behind = self.text.get(start as usize..).unwrap_or_default();
-        let before = behind.chars().take(column.saturating_sub(1));
-        start + before.map(char::len_utf8).sum::<usize>() as u32
-    }
-
     /// What the lines of the text show, as lines of the XML.
     pub(crate) fn traced(&self, xml: &str, mut traces: Vec<Trace>) -> Vec<Trace> {
         let (own, other) = (Lines::new(&self.text), Lines::new(xml));
         for trace in &mut traces {
-            let (at, ..) = self.place(self.byte(&own, trace.line, trace.column));
+            let (at, ..) = self.place(own.byte(&self.text, trace.line, trace.column));
             let (line, column) = other.place(xml, at);
             (trace.line, trace.column) = (line as usize, column as usize);
         }
@@ -208,8 +200,8 @@ impl Text {
     pub(crate) fn placed(&self, xml: &str, mut map: SourceMap) -> SourceMap {
         let (own, other) = (Lines::new(&self.text), Lines::new(xml));
         for place in &mut map.steps {
-            let (at, ..) = self.place(self.byte(&own, place.line, place.column));
-            let (last, ..) = self.place(self.byte(&own, place.last, 1));
+            let (at, ..) = self.place(own.byte(&self.text, place.line, place.column));
+            let (last, ..) = self.place(own.byte(&self.text, place.last, 1));
             let (line, column) = other.place(xml, at);
             let last = other.line(last).max(line);
             (place.line, place.column, place.last) =

@@ -12,7 +12,7 @@
 //! - `document`: a chart with its text; what nobody changes stays as it was written
 //! - `net`: its names as numbers; `outline`: sequences, selections and simultaneous sequences, and what is a jump
 //! - `sheet`: where all of it stands; `svg`, `picture`: drawn, as an SVG and of characters; `look`: the words of both norms
-//! - `live`: what is active, and for how long
+//! - `live`: what is active, and for how long; `origin`: which part an instruction comes from
 //! - `edit`: operations, each from a document to a document
 //!
 //! Any chart can be drawn: where lines would cross, a jump names its step, and a transition the steps that it waits for.
@@ -26,6 +26,7 @@ mod live;
 mod look;
 mod measure;
 mod net;
+mod origin;
 mod outline;
 mod picture;
 mod sheet;
@@ -34,6 +35,7 @@ mod svg;
 pub use document::{Action, Document, Does, Places, Step, Transition};
 pub use live::{Live, State};
 pub use look::Look;
+pub use origin::Origin;
 pub use outline::{Branch, Fork, Outline, Part};
 pub use picture::picture;
 pub use sheet::{Area, Id, Sheet};

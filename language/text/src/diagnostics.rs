@@ -186,6 +186,14 @@ impl Lines {
         let before = text.get(start as usize..byte as usize).unwrap_or_default();
         (line, before.chars().count() as u32 + 1)
     }
+
+    /// The byte at this line and column.
+    pub fn byte(&self, text: &str, line: usize, column: usize) -> u32 {
+        let start = self.start(line as u32);
+        let after = text.get(start as usize..).unwrap_or_default();
+        let before = after.chars().take(column.saturating_sub(1));
+        start + before.map(char::len_utf8).sum::<usize>() as u32
+    }
 }
 
 /// More errors than this, and more warnings, are only counted: the first ones say what to correct.

@@ -12,7 +12,7 @@ use unoclp_exercise::live::Charts;
 use unoclp_plcopen::{Charts as InProject, is_project, write_chart};
 use unoclp_program::{Lang, list::Look};
 use unoclp_sfc::edit::{Operation, Refusal, Side};
-use unoclp_sfc::{Document, Id, Qualifier, Sheet, svg};
+use unoclp_sfc::{Document, Id, Origin, Qualifier, Sheet, svg};
 use unoclp_workspace::Analysis;
 
 answer! {
@@ -60,6 +60,8 @@ answer! {
         from: Vec<usize>,
         /// Where it stands in the text, and where the statements of its action do: units of UTF-16, from and to.
         places: Vec<[usize; 2]>,
+        /// The instructions that it has become, from 0; none while the text is no program.
+        steps: Vec<usize>,
     }
 }
 
@@ -114,15 +116,21 @@ pub fn charted(analysis: &Analysis, look: &str, act: Option<Act>) -> Result<Char
         (text, select) = (Some(after), Some(id.to_string()));
     }
     // What has just been changed is compiled when the page has its text.
-    let live = match (&text, analysis.check()) {
-        (None, Some(Ok(source))) => Charts::new(source),
-        _ => Charts::default(),
+    let source = match text {
+        None => analysis.source(),
+        Some(_) => None,
     };
+    let live = source.map(Charts::new).unwrap_or_default();
     let file = text.as_deref().unwrap_or(&of);
     let project = project.as_ref().map(|project| (project, file));
-    let charts = documents
-        .iter()
-        .map(|document| drawn(document, look, &live, project));
+    let charts = documents.iter().map(|document| {
+        let known = source.and_then(|source| {
+            let mut charts = source.charts.iter().zip(&source.origins);
+            charts.find(|(chart, _)| chart.unit == document.unit)
+        });
+        let origins = known.map_or(&[][..], |(_, origins)| origins);
+        drawn(document, look, &live, project, origins)
+    });
     Ok(Charted {
         charts: charts.collect(),
         text,
@@ -135,6 +143,7 @@ fn drawn(
     look: Look,
     live: &Charts,
     project: Option<(&InProject, &str)>,
+    origins: &[Option<Origin>],
 ) -> ChartDrawn {
     let sheet = Sheet::drawn(document, look);
     let of_unit = |chart: &&unoclp_exercise::live::Chart| chart.document.unit == document.unit;
@@ -177,6 +186,10 @@ fn drawn(
         let (own, action) = placed(item.id);
         let places = own.into_iter().chain(action).flatten();
         part.places = places.copied().collect();
+        let origin = document.origin(item.id);
+        let made = origins.iter().enumerate();
+        let made = made.filter(|(_, from)| from.is_some() && **from == origin);
+        part.steps = made.map(|(step, _)| step).collect();
         part
     });
     let parts = parts.collect();
@@ -218,6 +231,7 @@ fn part(document: &Document, id: Id, (x, y): (f32, f32)) -> ChartPart {
         initial: false,
         from: Vec::new(),
         places: Vec::new(),
+        steps: Vec::new(),
     };
     match id {
         Id::Step(step) => {

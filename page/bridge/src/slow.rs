@@ -1,7 +1,7 @@
 //! A scan in slow motion: what of a program is shown while a board stands in the middle of one.
 //!
 //! A board's engine runs several instructions at once where it can. Its page tells where it has stood, and this finds what lies
-//! between: contacts, branches and coils of the images, whose acc follows from these.
+//! between: contacts, branches and coils, whose acc follows from inputs and outputs.
 //!
 //! Owns the way from where an engine has stood to acc after each instruction. Must not know how a board is stopped.
 
@@ -11,9 +11,6 @@ use unoclp_core::isa::Opcode;
 use unoclp_core::{After, Instruction};
 use unoclp_exercise::live::Flow;
 
-/// Inputs that the images of an engine have; as many outputs follow.
-const NEAR: u8 = 4;
-
 /// Some instructions in a row that an engine has run at once.
 #[derive(Clone, Copy, Debug)]
 pub struct Left {
@@ -22,10 +19,11 @@ pub struct Left {
     pub to: usize,
     /// acc after them.
     pub acc: bool,
-    /// The value after them, and the images: inputs 01 to 04 in bits 0 to 3, outputs in bits 4 to 7; none where the engine
-    /// went by at full speed.
+    /// The value after them, and the inputs and outputs as the scan has them, bit 0 point 01; none where the engine went by
+    /// at full speed.
     pub value: Option<i32>,
-    pub images: Option<u8>,
+    pub inputs: Option<u32>,
+    pub outputs: Option<u32>,
 }
 
 answer! {
@@ -82,10 +80,12 @@ fn flow(steps: &[Instruction<'_>], left: &[Left]) -> Flow {
 
 /// acc after each of some instructions but the last, which are run at once on these images.
 fn within(run: &[Instruction<'_>], begin: bool, left: &Left, flow: &mut Flow) {
-    let Some(images) = left.images else { return };
-    let is_on = |number: u8, first: u8| {
-        let bit = number.wrapping_sub(1);
-        bit < NEAR && images >> (bit + first) & 1 == 1
+    let (Some(inputs), Some(outputs)) = (left.inputs, left.outputs) else {
+        return;
+    };
+    let is_on = |points: u32, number: u8| {
+        let shifted = points.checked_shr(u32::from(number.wrapping_sub(1)));
+        shifted.is_some_and(|points| points & 1 == 1)
     };
     let (mut acc, mut open) = (begin, Vec::new());
     for (step, one) in (left.from..left.to).zip(run) {
@@ -99,10 +99,10 @@ fn within(run: &[Instruction<'_>], begin: bool, left: &Left, flow: &mut Flow) {
             Opcode::CloseBranch => acc |= open.pop().unwrap_or_default(),
             // The engine joins branches only where acc has not changed since the point was stored.
             Opcode::RecallBranch => acc = begin,
-            Opcode::InputContact => acc &= is_on(xx, 0),
-            Opcode::InputContactNot => acc &= !is_on(xx, 0),
-            Opcode::OutputContact => acc &= is_on(xx, NEAR),
-            Opcode::OutputContactNot => acc &= !is_on(xx, NEAR),
+            Opcode::InputContact => acc &= is_on(inputs, xx),
+            Opcode::InputContactNot => acc &= !is_on(inputs, xx),
+            Opcode::OutputContact => acc &= is_on(outputs, xx),
+            Opcode::OutputContactNot => acc &= !is_on(outputs, xx),
             Opcode::Coil => {}
             // What takes no byte changes nothing, and all else stands alone.
             _ => continue,

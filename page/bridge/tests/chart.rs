@@ -37,7 +37,15 @@ fn a_chart_is_drawn_with_its_points_and_changed() {
     );
     // Settle measures its time.
     assert!(chart["points"][3][1].is_string(), "{}", chart["points"]);
+    // What each part has become; nobody knows that of what has just been drawn.
+    let count = |part: &Value| part["steps"].as_array().unwrap().len();
+    let parts = chart["parts"].as_array().unwrap();
+    for part in parts.iter().filter(|part| part["kind"] == "transition") {
+        assert!(count(part) > 0, "{part}");
+    }
     let done = page.chart(FILLING, json!({ "what": "after", "at": "s0" }));
+    let after = done["ok"]["charts"][0]["parts"].as_array().unwrap();
+    assert!(after.iter().all(|part| count(part) == 0));
     assert_eq!(done["ok"]["select"], "s5");
     let text = done["ok"]["text"].as_str().unwrap();
     assert!(text.contains("STEP S1: END_STEP"), "{text}");

@@ -51,6 +51,9 @@ const PLACES: [&str; 7] = [
     "ENGINE_MORE_INPUTS",
 ];
 
+/// The last of them, which a board without outputs in bytes of their own lacks.
+const OUTPUT_CELLS: &str = "OUTPUT_CELLS";
+
 /// How the engine stood between two instructions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seam {
@@ -167,6 +170,9 @@ impl Avr8js {
             let address = symbol.ok_or(EngineError::NoSymbol(name))?.address & 0xFFFF;
             places.extend(address.to_le_bytes());
         }
+        let cells = self.program.symbol(OUTPUT_CELLS);
+        let cells = cells.map_or(NOWHERE, |symbol| symbol.address & 0xFFFF);
+        places.extend(cells.to_le_bytes());
         self.request(request::SLOW, &[&places]);
         match self.answer::<1>()? {
             [0] => Err(EngineError::NoProgram),

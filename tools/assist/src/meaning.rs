@@ -31,6 +31,25 @@ pub(crate) enum Meaning {
 const LONGEST_CHAIN: usize = 64;
 
 impl Reader<'_> {
+    /// What stands at a byte of the text; none where nothing known does.
+    pub fn meant(&self, byte: u32) -> Option<Meaning> {
+        let at = self.word_at(byte)?;
+        let of_type = self.type_in(at).filter(|(span, _)| byte <= span.end);
+        let of_type = of_type.map(|(_, ty)| Meaning::Declared(ty));
+        of_type.or_else(|| self.meaning(at))
+    }
+
+    /// The type that a literal names, `Color#Red`, and where.
+    pub fn type_in(&self, at: usize) -> Option<(Span, usize)> {
+        let word = self.words.get(at)?;
+        let (ty, _) = word.text.split_once('#')?;
+        let is_literal = word.colour == Some(Colour::Number);
+        let found = self.find(None, ty).filter(|_| is_literal)?;
+        let start = word.span.start;
+        let end = start + ty.len() as u32;
+        Some((Span { start, end }, found))
+    }
+
     /// What the word at this place stands for; none of what is not known.
     pub fn meaning(&self, at: usize) -> Option<Meaning> {
         let word = self.words.get(at)?;

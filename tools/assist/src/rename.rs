@@ -37,8 +37,7 @@ impl NoRename {
 pub fn prepare(written: &Written, byte: u32) -> Option<Span> {
     let reading = Reading::of(written)?;
     let reader = reading.reader();
-    let at = reader.word_at(reading.byte(byte)?)?;
-    let meaning = reader.meaning(at)?;
+    let meaning = reader.meant(reading.byte(byte)?)?;
     let Meaning::Declared(_) = meaning else {
         return None;
     };
@@ -56,8 +55,7 @@ pub fn rename(analysis: &Analysis, byte: u32, name: &str) -> Result<Vec<Edit>, N
     let written = analysis.written();
     let reading = Reading::of(written).ok_or(NoRename::NothingThere)?;
     let reader = reading.reader();
-    let at = reading.byte(byte).and_then(|byte| reader.word_at(byte));
-    let meaning = at.and_then(|at| reader.meaning(at));
+    let meaning = reading.byte(byte).and_then(|byte| reader.meant(byte));
     let Some(meaning @ Meaning::Declared(declared)) = meaning else {
         return Err(NoRename::NothingThere);
     };

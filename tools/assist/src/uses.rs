@@ -21,8 +21,7 @@ pub struct Use {
 pub fn declaration(written: &Written, byte: u32) -> Option<Span> {
     let reading = Reading::of(written)?;
     let reader = reading.reader();
-    let at = reader.word_at(reading.byte(byte)?)?;
-    let span = match reader.meaning(at)? {
+    let span = match reader.meant(reading.byte(byte)?)? {
         Meaning::Declared(at) => reader.named(at).map(|named| named.name),
         Meaning::Point(address) => {
             let named = reader.outline.named.iter();
@@ -61,8 +60,7 @@ pub fn uses(written: &Written, byte: u32) -> Vec<Use> {
         return Vec::new();
     };
     let reader = reading.reader();
-    let at = reading.byte(byte).and_then(|byte| reader.word_at(byte));
-    let meaning = at.and_then(|at| reader.meaning(at));
+    let meaning = reading.byte(byte).and_then(|byte| reader.meant(byte));
     let mut uses = meaning.map_or_else(Vec::new, |meaning| reading.uses(&reader, &meaning));
     uses.sort_by_key(|own| own.span.start);
     uses
@@ -102,6 +100,16 @@ impl Reader<'_> {
             {
                 continue;
             }
+            if let Some((span, ty)) = self.type_in(at)
+                && *meaning == Meaning::Declared(ty)
+            {
+                all.push(Use {
+                    span,
+                    declares: false,
+                    writes: false,
+                });
+                continue;
+            }
             if self.meaning(at).as_ref() != Some(meaning) {
                 continue;
             }
@@ -122,9 +130,9 @@ impl Reader<'_> {
     }
 
     fn may_be(&self, word: &str, name: &str) -> bool {
-        let last = word.rsplit('#').next().unwrap_or(word);
-        last.len() == name.len() && self.fold(last) == name
-            || !name.is_ascii() && self.fold(last) == name
+        let is =
+            |part: &str| (part.len() == name.len() || !name.is_ascii()) && self.fold(part) == name;
+        word.split('#').any(is)
     }
 
     fn declares(&self, meaning: &Meaning, span: Span) -> bool {

@@ -13,7 +13,7 @@ use unoclp_core::{Board, Fault, Program};
 use unoclp_draw::{Ladder, Names};
 use unoclp_lang::{Dialect, Holding, TextLanguage, Told, Trace, Variable};
 use unoclp_point::Kind;
-use unoclp_sfc::Document as Chart;
+use unoclp_sfc::{Document as Chart, Origin};
 
 /// A program that has been read, compiled and checked: only [`Written::check`](crate::Written::check) and its like make one.
 #[derive(Debug)]
@@ -37,6 +37,8 @@ pub struct Source {
     pub traces: Vec<Trace>,
     /// Its charts.
     pub charts: Vec<Chart>,
+    /// What of each chart each step of the program comes from.
+    pub origins: Vec<Vec<Option<Origin>>>,
     /// The program.
     pub checked: Checked,
 }

@@ -153,6 +153,7 @@ impl Written {
             variables: Vec::new(),
             traces: Vec::new(),
             charts: Vec::new(),
+            origins: Vec::new(),
             checked,
         })
     }
@@ -192,6 +193,7 @@ impl Written {
             variables: Vec::new(),
             traces: Vec::new(),
             charts: Vec::new(),
+            origins: Vec::new(),
             checked,
         })
     }
@@ -219,6 +221,7 @@ impl Written {
             variables: made.variables,
             traces: made.traces,
             charts: made.charts,
+            origins: made.origins,
             checked,
         })
     }
@@ -241,6 +244,7 @@ impl Written {
             true => unoclp_sfc::Document::all(&text),
             false => Vec::new(),
         };
+        let origins = charts.iter().map(|of| of.origins(map.at())).collect();
         Ok(Source {
             name: self.name,
             text,
@@ -254,6 +258,7 @@ impl Written {
             variables,
             traces,
             charts,
+            origins,
             checked,
         })
     }

@@ -78,7 +78,7 @@ fields! {
 
 #[cfg(feature = "full")]
 fields! {
-    Trail, "readonly (readonly [from: number, to: number, acc: boolean, value: number | null, images: number | null])[]", trail;
+    Trail, "readonly (readonly [from: number, to: number, acc: boolean, value: number | null, inputs: number | null, outputs: number | null])[]", trail;
     Steps, "readonly number[] | null", |given, key| match given.is_there(key) {
         true => given.list(key)?.iter().map(|step| index(step).ok_or_else(|| wrong(key))).collect::<Result<_, _>>().map(|steps| Steps(Some(steps))),
         false => Ok(Steps(None)),
@@ -100,15 +100,19 @@ pub struct Steps(pub Option<Vec<usize>>);
 #[cfg(feature = "full")]
 fn trail(given: &mut Given, key: &str) -> Result<Trail, Both> {
     let left = |value: &Value| match value.as_array()?.as_slice() {
-        [from, to, acc, value, images] => Some(Left {
+        [from, to, acc, value, inputs, outputs] => Some(Left {
             from: index(from)?,
             to: index(to)?,
             acc: acc.as_bool()?,
             value: value.as_i64().and_then(|value| i32::try_from(value).ok()),
-            images: images.as_u64().and_then(|images| u8::try_from(images).ok()),
+            inputs: points(inputs),
+            outputs: points(outputs),
         }),
         _ => None,
     };
+    fn points(value: &Value) -> Option<u32> {
+        value.as_i64().map(|points| points as u32)
+    }
     let list = given.list(key)?;
     let trail: Option<Vec<Left>> = list.iter().map(left).collect();
     trail.map(Trail).ok_or_else(|| wrong(key))

@@ -165,7 +165,7 @@ impl Page {
                 json!(self.now)
             }
             ("slowly", "to") => self.any(&[json!([0, 2]), Value::Null]),
-            (_, "left") => json!([[0, 1, true, 7, 3], [2, 2, false, null, null]]),
+            (_, "left") => json!([[0, 1, true, 7, 3, 16], [2, 2, false, null, null, null]]),
             (_, "came") => json!([]),
             (_, "address") => json!(1 + self.random.below(247)),
             (_, "rate") => json!(115_200),

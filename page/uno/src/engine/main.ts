@@ -15,7 +15,7 @@ const INPUTS = 4; // closed u32
 const ANALOGUE = 5; // input u8, reading u16
 const SEND = 6; // length u16, bytes
 const RUN = 7; // byte address u32, NOWHERE for none; cycles u32
-const SLOW = 8; // byte addresses of symbols u32, in the order of `Places`; answered by 1 where the board keeps a program, else 0
+const SLOW = 8; // byte addresses of symbols u32, in the order of `Places`, NOWHERE for none; answered by 1 where the board keeps a program, else 0
 const TRAIL = 9; // answered as `Bench.trail` says
 
 const NOWHERE = 0xffff_ffff;
@@ -106,7 +106,9 @@ for (let request = input.take(1); request; request = input.take(1)) {
     }
     case SLOW: {
       const [engine_link, link_one, link_flush, link_put, engine_end, scan_begin, ENGINE_MORE_INPUTS] = Array.from({ length: 7 }, () => input.number(4)) as [number, number, number, number, number, number, number];
-      answer(Uint8Array.of(Number(bench.goSlowly({ engine_link, link_one, link_flush, link_put, engine_end, scan_begin, ENGINE_MORE_INPUTS }))));
+      const cells = input.number(4);
+      const places = { engine_link, link_one, link_flush, link_put, engine_end, scan_begin, ENGINE_MORE_INPUTS, ...(cells !== NOWHERE && { OUTPUT_CELLS: cells }) };
+      answer(Uint8Array.of(Number(bench.goSlowly(places))));
       break;
     }
     case TRAIL:

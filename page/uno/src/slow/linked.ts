@@ -15,8 +15,10 @@ export interface Places {
   /** The handler of the end. */
   readonly engine_end: number;
   readonly scan_begin: number;
-  /** Where inputs 05 to 08 stand again, in bits 4 to 7. */
+  /** Where inputs from 05 on stand again, 8 in a byte. */
   readonly ENGINE_MORE_INPUTS: number;
+  /** Where outputs from 05 on stand, each in bit 7 of a byte, if the board has such. */
+  readonly OUTPUT_CELLS?: number;
 }
 
 const NAMES: readonly (keyof Places)[] = ["engine_link", "link_one", "link_flush", "link_put", "engine_end", "scan_begin", "ENGINE_MORE_INPUTS"];
@@ -24,10 +26,11 @@ const NAMES: readonly (keyof Places)[] = ["engine_link", "link_one", "link_flush
 /** Those of a map, as `avr-nm` writes it. Data stand from 0x800000 on there. */
 export function placesOf(map: string): Places {
   const lines = map.split("\n").map((line) => line.split(" "));
-  const found = NAMES.map((name) => {
+  const found = [...NAMES, "OUTPUT_CELLS"].flatMap((name) => {
     const address = lines.find((words) => words.at(-1) === name)?.[0];
-    if (address === undefined) throw new Error(`the firmware has no symbol ${name}`);
-    return [name, Number.parseInt(address, 16) & 0xffff];
+    if (address !== undefined) return [[name, Number.parseInt(address, 16) & 0xffff]];
+    if (name === "OUTPUT_CELLS") return [];
+    throw new Error(`the firmware has no symbol ${name}`);
   });
   return Object.fromEntries(found) as Places;
 }

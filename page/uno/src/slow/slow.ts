@@ -11,6 +11,8 @@ import { type Places, type Seam, seamsOf } from "./linked";
 const [IMAGES, VALUE] = [18, 22] as const;
 /** Inputs and outputs that the images have, each. */
 const NEAR = 4;
+/** What an output is in a byte of its own. */
+const ON = 1 << 7;
 /** Seams before a stop whose acc is known where the engine comes to it at full speed. */
 const BEFORE = 5;
 /** No instruction of the program stands there. */
@@ -26,7 +28,7 @@ export interface Go {
   readonly through: boolean;
 }
 
-/** What instructions in a row have left behind that were run at once; value and images are `null` where they went by at full
+/** What instructions in a row have left behind that were run at once; value and points are `null` where they went by at full
  * speed. */
 export interface Left {
   /** The first of them, and the last. */
@@ -34,8 +36,9 @@ export interface Left {
   readonly to: number;
   readonly acc: boolean;
   readonly value: number | null;
-  /** Inputs 01 to 04 in bits 0 to 3, outputs 01 to 04 in bits 4 to 7. */
-  readonly images: number | null;
+  /** The inputs and the outputs as the scan has them, bit 0 point 01. */
+  readonly inputs: number | null;
+  readonly outputs: number | null;
 }
 
 /** How the engine stands. */
@@ -60,7 +63,7 @@ export interface Standing {
 export class Slow {
   private readonly fetches: Fetches;
   private readonly byAddress: ReadonlyMap<number, number>;
-  private readonly values = new Map<number, Pick<Left, "value" | "images">>();
+  private readonly values = new Map<number, Pick<Left, "value" | "inputs" | "outputs">>();
   private order: Go | null = null;
   private wanted: ReadonlySet<Seam> = new Set();
   /** Where it is: at a seam, between two scans, or anywhere. */
@@ -143,7 +146,7 @@ export class Slow {
     const index = this.byAddress.get(this.fetches.at) ?? 0;
     // One that went at full speed has told none.
     if (index === 0 || this.order?.through) this.values.clear();
-    else if (this.at === "seam") this.values.set(this.seam, { value: value(data), images: data[IMAGES] ?? 0 });
+    else if (this.at === "seam") this.values.set(this.seam, { value: value(data), ...this.points(data) });
     this.at = "seam";
     this.seam = index;
   }
@@ -153,20 +156,29 @@ export class Slow {
     const data = board.inside?.cpu.data ?? new Uint8Array();
     const here = seams[this.seam];
     const isBetween = at === "between" || here === undefined;
-    const images = data[IMAGES] ?? 0;
-    const more = data[this.places.ENGINE_MORE_INPUTS] ?? 0;
     return {
       step: isBetween ? null : here.step,
       until: isBetween ? 0 : (seams[this.seam + 1]?.step ?? here.step),
       acc: ((data[SREG] ?? 0) & T) !== 0,
       value: value(data),
       pushed: isBetween ? [] : pushed(data, this.fetches.base),
-      inputs: (images & 0x0f) | (more & 0xf0),
+      ...this.points(data),
       closed: board.surroundings.closed,
-      outputs: images >> NEAR,
       driven: board.surroundings.outputs,
       left: this.left(),
     };
+  }
+
+  /** The inputs and outputs as the scan has them. */
+  private points(data: Uint8Array): { readonly inputs: number; readonly outputs: number } {
+    const { board, places } = this;
+    const { inputs, outputs } = board.wiring;
+    const images = data[IMAGES] ?? 0;
+    const ports = Array.from({ length: Math.ceil(inputs.length / 8) }, (_, port) => (data[places.ENGINE_MORE_INPUTS + port] ?? 0) << (8 * port));
+    const { OUTPUT_CELLS } = places;
+    const cells = OUTPUT_CELLS === undefined ? [] : outputs.slice(NEAR).map((_, cell) => ((data[OUTPUT_CELLS + cell] ?? 0) & ON ? 1 << (NEAR + cell) : 0));
+    const all = (bits: readonly number[]): number => bits.reduce((sum, one) => sum | one, 0);
+    return { inputs: (images & 0x0f) | (all(ports) & ~0x0f), outputs: (images >> NEAR) | all(cells) };
   }
 
   /** What has been passed. */
@@ -175,7 +187,7 @@ export class Slow {
       const [acc, next] = [this.fetches.acc(at), this.seams[index + 1]];
       // Between two that are not both told of, there may have been others.
       if (!next || acc === null || !this.fetches.tells(at) || !this.fetches.tells(next.at)) return [];
-      return [{ from: step, to: next.step - 1, acc, ...(this.values.get(index) ?? { value: null, images: null }) }];
+      return [{ from: step, to: next.step - 1, acc, ...(this.values.get(index) ?? { value: null, inputs: null, outputs: null }) }];
     });
   }
 }

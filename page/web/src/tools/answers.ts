@@ -125,6 +125,8 @@ export interface ChartPart {
   readonly from: readonly number[];
   /** Where it stands in the text, and where the statements of its action do: units of UTF-16, from and to. */
   readonly places: readonly (readonly [number, number])[];
+  /** The instructions that it has become, from 0; none while the text is no program. */
+  readonly steps: readonly number[];
 }
 
 /** The charts of a text. */

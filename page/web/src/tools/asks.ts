@@ -170,7 +170,7 @@ export interface Asks {
   /** Its charts, in the look of IEC 61131-3 or of GRAFCET; `what` is done `at` a part of one of them, and gives another text. */
   chart: { ask: { readonly version: number; readonly look?: string | undefined; readonly chart: number; readonly what?: string | undefined; readonly at?: string | undefined; readonly say?: string | undefined; readonly qualifier?: string | undefined; readonly time?: string | undefined }; answer: Charted };
   /** What there is to show of it while a board stands in the middle of a scan, which has left this so far. */
-  slow: { ask: { readonly version: number; readonly left: readonly (readonly [from: number, to: number, acc: boolean, value: number | null, images: number | null])[] }; answer: Live };
+  slow: { ask: { readonly version: number; readonly left: readonly (readonly [from: number, to: number, acc: boolean, value: number | null, inputs: number | null, outputs: number | null])[] }; answer: Live };
   /** The scan that this computer makes goes on, to where one of these instructions comes next, or any; `through` the ends of scans, or else to the end of this one. Null where it has not come there yet. */
   slowly: { ask: { readonly board: number; readonly to: readonly number[] | null; readonly through: boolean }; answer: Stood | null };
   /** The units of a project, and their variables. */

@@ -143,6 +143,97 @@ test("Structured Text goes statement by statement, with the values", async () =>
   await page.context().close();
 });
 
+/** A chart: its step without actions makes no code of its own. */
+const CHART = `PROGRAM filling
+VAR start AT %IX1 : BOOL; full AT %IX2 : BOOL; valve AT %QX1 : BOOL; END_VAR
+INITIAL_STEP Wait: END_STEP
+STEP Fill: valve(N); END_STEP
+TRANSITION FROM Wait TO Fill := start; END_TRANSITION
+TRANSITION FROM Fill TO Wait := full; END_TRANSITION
+END_PROGRAM
+`;
+
+for (const board of ["uno", "pc"]) {
+  test(`a chart stops at its transitions, steps and actions, ${board}`, async () => {
+    const page = await lab.open();
+    await type(page, CHART, "chart.st");
+    await select(page, "#for-board", board);
+    await run(page);
+    await page.click("#view-draw");
+    /** @param {string} id @param {string} [state] */
+    const part = (id, state = "") => page.locator(`#chart-sheet ${state}[data-id="${id}"]`);
+    await part("s0", ".active").waitFor();
+    await pick(page, "#slow-motion");
+    await stands(page, /Next: line/);
+    // To a transition, and from there to an action.
+    await part("t1").click();
+    await page.keyboard.press("Control+F9");
+    await stands(page, /Next: line 6/);
+    await part("t1", ".slow-here").waitFor();
+    // Its jump is of it.
+    const here = await page.locator("#chart-sheet .slow-here").evaluateAll((all) => all.map((one) => one.getAttribute("data-id")));
+    assert.deepEqual(here.sort(), ["j1.0", "t1"]);
+    await part("a1.0").click();
+    await page.keyboard.press("F9");
+    await part("a1.0", ".slow-stop").waitFor();
+    assert.match((await page.locator(".slow-breaks button").textContent()) ?? "", /Action valve/);
+    await page.keyboard.press("F4");
+    await stands(page, /Next: line 4/);
+    await part("a1.0", ".slow-here").waitFor();
+    // It makes no code of its own: that is told, and nothing else changes.
+    await part("s1").click();
+    await page.keyboard.press("F9");
+    await page.locator("#notes", { hasText: "Step Fill: this part of the chart makes no code of its own." }).waitFor();
+    assert.equal(await page.locator(".slow-breaks button").count(), 1);
+    // The marks outlast another look of the same chart.
+    await page.click("#chart-look");
+    await part("a1.0", ".slow-here.slow-stop").waitFor();
+    await clean(page, "a chart in slow motion");
+    await page.click(".slow-breaks button");
+    assert.equal(await page.locator(".slow-breaks button").count(), 0);
+    // A step more is another program: it is let go, and the step stays.
+    await part("s1").click();
+    await page.click("#chart-after");
+    await page.locator("#notes", { hasText: "The program has changed" }).waitFor();
+    await part("s2").waitFor();
+    assert.equal(await page.locator("#chart-sheet .slow-here").count(), 0);
+    await page.context().close();
+  });
+}
+
+test("a Mega goes slowly too, by the map of its own firmware", async () => {
+  const page = await lab.open();
+  await type(page, "LD I24\nAND I5\nANDN I6\nST Q16\nLD Q16\nST Q1\n", "far.il");
+  await select(page, "#for-board", "mega");
+  await run(page);
+  await page.locator("#ladder svg.live").waitFor();
+  for (const input of [24, 5]) await page.locator(`[data-input="${input}"]`).click({ modifiers: ["Shift"] });
+  await lamp(page, 16, true);
+  await pick(page, "#slow-motion");
+  await stands(page, /Next: line 1/);
+  await page.keyboard.press("Control+F10");
+  await stands(page, /Next: line 5/);
+  // Power has come through contacts that the engine runs at once, at inputs that have bytes of their own.
+  const lit = async () => (await page.locator("#ladder .element.on").evaluateAll((all) => all.map((one) => one.getAttribute("data-point")))).join();
+  assert.equal(await lit(), "I24,I5,I6,Q16");
+  /** @param {string} table */
+  const rows = (table) => page.locator(`#slow-${table} tbody tr`).evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent).join(" ")));
+  assert.deepEqual(await rows("I"), ["I5 1 1", "I6 0 0", "I24 1 1"]);
+  assert.deepEqual(await rows("Q"), ["Q1 1 1", "Q16 1 1"]);
+  await page.locator('[data-input="5"]').click({ modifiers: ["Shift"] });
+  await page.keyboard.press("Control+F8");
+  await stands(page, /The scan is over/);
+  await page.keyboard.press("Control+F10");
+  await page.keyboard.press("Control+F10");
+  await stands(page, /Next: line 5/);
+  // The output is written at the end of the scan.
+  assert.deepEqual(await rows("Q"), ["Q1 1 1", "Q16 0 1"]);
+  assert.deepEqual(await rows("I"), ["I5 0 0", "I6 0 0", "I24 1 1"]);
+  await page.click("#slow-close");
+  await lamp(page, 16, false);
+  await page.context().close();
+});
+
 test("this computer goes slowly too", async () => {
   const page = await lab.open();
   await type(page, PROGRAM, "slow.il");

@@ -1,11 +1,11 @@
 //! A scan in slow motion: at each seam of each program of the project, the firmware stands as the core does.
 
-use crate::common;
+use crate::{BOARD, common};
 use std::path::{Path, PathBuf};
 use unoclp_core::isa::Opcode;
-use unoclp_core::{Board, Inputs, Scan};
+use unoclp_core::{Inputs, Scan};
 use unoclp_host_sim::engine::{Engine, HostEngine};
-use unoclp_host_sim::random::{Random, random_inputs_on, random_program};
+use unoclp_host_sim::random::{Random, random_inputs_on, random_program_on};
 use unoclp_program::Written;
 use unoclp_testing::rounds;
 use unoclp_uno_sim::avr8js::{Avr8js, Seam};
@@ -25,7 +25,7 @@ fn each_program_stands_at_each_seam_as_the_core_does() {
     for file in &files {
         let name = file.to_string_lossy().into_owned();
         let bytes = std::fs::read(file).unwrap();
-        let written = Written::new(name.clone(), bytes, Board::UNO);
+        let written = Written::new(name.clone(), bytes, BOARD);
         let Ok(source) = written.check(None) else {
             continue;
         };
@@ -43,7 +43,7 @@ fn each_program_stands_at_each_seam_as_the_core_does() {
 fn random_programs_stand_at_each_seam_as_the_core_does() {
     let mut slow = SlowMotion::new();
     for seed in 0..rounds(PROGRAMS) {
-        let program = random_program(&mut Random::new(seed.into()));
+        let program = random_program_on(&mut Random::new(seed.into()), BOARD);
         slow.compare(program.as_bytes(), &format!("seed {seed}:\n{program}"));
     }
 }
@@ -64,7 +64,7 @@ impl SlowMotion {
 
     /// Compares some scans of a program, unless the board refuses it.
     fn compare(&mut self, file: &[u8], name: &str) -> bool {
-        let mut host = HostEngine::new(Board::UNO);
+        let mut host = HostEngine::new(BOARD);
         let (Ok(Ok(())), Ok(Ok(()))) = (host.load(file), self.uno.load(file)) else {
             return false;
         };
@@ -75,7 +75,7 @@ impl SlowMotion {
         let opcodes: Vec<Opcode> = plc.steps().map(|step| step.opcode).collect();
         let (mut inputs, mut now) = (Inputs::default(), 0);
         for scan in 0..SCANS {
-            inputs = random_inputs_on(random, (needs, Board::UNO), inputs);
+            inputs = random_inputs_on(random, (needs, BOARD), inputs);
             now += random.below(40);
             let expected = stands(&mut host, inputs, now);
             let came = self.uno.scan(&inputs, now).unwrap();

@@ -44,6 +44,8 @@ mod program_memory;
 mod retentive;
 #[path = "../it/run_memory.rs"]
 mod run_memory;
+#[path = "../it/slow.rs"]
+mod slow;
 #[path = "../it/stack.rs"]
 mod stack;
 #[path = "../it/start_up.rs"]

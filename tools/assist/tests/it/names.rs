@@ -192,6 +192,20 @@ fn a_name_gives_way_to_another() {
 }
 
 #[test]
+fn a_type_is_renamed_in_its_literals_too() {
+    let text = "TYPE Mode : (Off, On); END_TYPE\nPROGRAM p\nVAR m : Mode; END_VAR\nm := Mo|de#On;\nEND_PROGRAM\n";
+    let (written, place) = marked("st", text);
+    assert!(uses(&written, place).iter().any(|own| own.declares));
+    let after = |at: u32, name: &str| edited(&written.text(), &rename(&written, at, name).unwrap());
+    let renamed = written.text().replace("Mode", "Way");
+    assert_eq!(after(place, "Way"), renamed);
+    assert_eq!(after(6, "Way"), renamed);
+    // The value after the sign is another name.
+    let value = written.text().replace("On", "Run");
+    assert_eq!(after(place + 4, "Run"), value);
+}
+
+#[test]
 fn what_cannot_be_a_name_is_refused() {
     let (written, place) = marked("st", &at("speed := pair"));
     let refused = |name: &str| rename(&written, place, name).unwrap_err();

@@ -2,7 +2,7 @@
 
 use crate::texts::{alike, all, projects, written};
 use std::path::Path;
-use unoclp_assist::{Edit, Symbol, edited, rename, symbols, uses};
+use unoclp_assist::{Edit, NoRename, Symbol, edited, rename, symbols, uses};
 use unoclp_core::Board;
 use unoclp_lang::Span;
 use unoclp_lang::outline::What;
@@ -128,6 +128,34 @@ fn a_type_and_what_is_of_it_may_share_a_name() {
     assert_eq!(after("motor; lamp"), block);
     let variable = said("motor :", "new :").replace("motor()", "new()");
     assert_eq!(after("motor()"), variable.replace("motor.q", "new.q"));
+}
+
+#[test]
+fn twins_of_a_text_that_does_not_parse_are_told_apart() {
+    let text =
+        "PROGRAM motor\nVAR motor : BOOL; lamp : BOOL; END_VAR\nlamp := := motor;\nEND_PROGRAM\n";
+    let written = crate::texts::text("st", text);
+    let analysis = Workspace::default().open(written);
+    assert!(analysis.source().is_none());
+    let after = |at: usize| edited(text, &rename(&analysis, at as u32, "new").unwrap());
+    let variable = text
+        .replace("motor :", "new :")
+        .replace(":= motor", ":= new");
+    assert_eq!(after(text.find("motor;").unwrap()), variable);
+    assert_eq!(
+        after(text.find("motor\n").unwrap()),
+        text.replace("PROGRAM motor", "PROGRAM new")
+    );
+    for name in ["IF", "TON", "2a", ""] {
+        assert!(matches!(
+            rename(&analysis, 8, name),
+            Err(NoRename::NoName(_))
+        ));
+    }
+    assert!(matches!(
+        rename(&analysis, 8, "lamp"),
+        Err(NoRename::Taken(_))
+    ));
 }
 
 /// In a project of all languages, every variable under the name of every unit.

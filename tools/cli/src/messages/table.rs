@@ -601,8 +601,8 @@ unoclp_words::messages! {
         " q quit  space {run}  s scan  r restart  v {view}  m {mode}{more}  e slow  ↑↓ scroll"
         " q sai  espaço {run}  s varre  r reset  v {view}  m {mode}{more}  e lento  ↑↓ rola";
     slow_keys()
-        " e element  g rung  l line  s end of scan  b breakpoint  space go on  q quit"
-        " e elemento  g degrau  l linha  s fim da varredura  b parada  espaço segue  q sai";
+        " e element  g rung  l line  s end  ↑↓ h to here  b break  space go on  q quit"
+        " e elemento  g degrau  l linha  s fim  ↑↓ h aqui  b parada  espaço segue  q sai";
     slow_next(line, acc, value, stack)
         "next line {line}  acc {acc}  value {value}{stack}"
         "próxima linha {line}  acc {acc}  valor {value}{stack}";

@@ -398,12 +398,10 @@ fn rungs(app: &mut App, frame: &mut Frame, area: Rect) {
             .as_ref()
             .and_then(|reading| read(reading, point))
     };
-    let lines = program.drawn.lines(
-        &app.flow,
-        (None, &Marked::default()),
-        usize::from(area.width),
-        read,
-    );
+    let width = usize::from(area.width);
+    let (lines, _) = program
+        .drawn
+        .lines(&app.flow, &Marked::default(), width, read);
     let what = program.drawn.title(read);
     let height = usize::from(area.height.saturating_sub(1));
     app.page = height.saturating_sub(1).max(1);

@@ -4,6 +4,7 @@
 use super::analogue::Knobs;
 use super::buttons::{Buttons, KeyUp};
 use super::drawn::Drawn;
+use super::listing::Marked;
 use super::memory::spans;
 use super::slow::{self, Places, Standing, To};
 use crate::messages;
@@ -59,6 +60,12 @@ pub struct App {
     slow: Option<Followed>,
     /// Steps before which it stops.
     breaks: BTreeSet<usize>,
+    /// The step before which it stops once.
+    here: Option<usize>,
+    /// The step that a person points to; none where the scan stands.
+    cursor: Option<usize>,
+    /// That is to be on the screen.
+    pub(super) seeks: bool,
     places: Places,
     pub(super) scroll: Scroll,
     /// The page of the timers, counted from 0.
@@ -96,6 +103,9 @@ impl App {
             running: true,
             slow: None,
             breaks: BTreeSet::new(),
+            here: None,
+            cursor: None,
+            seeks: false,
             places,
             scroll: Scroll::to(drawn.home()),
             drawn,
@@ -270,12 +280,31 @@ impl App {
         Some((standing, line))
     }
 
-    /// The lines of the text that breakpoints are on.
-    pub(super) fn breaks(&self) -> BTreeSet<usize> {
-        let lines = self.breaks.iter();
-        lines
-            .filter_map(|&step| slow::line(&self.program.map, step))
-            .collect()
+    /// What is marked of a scan in slow motion.
+    pub(super) fn marked(&self) -> Marked {
+        Marked {
+            next: self.standing().map(|(standing, _)| standing.step),
+            breaks: self.breaks.clone(),
+            cursor: self.pointed(),
+        }
+    }
+
+    /// The step that a person points to, while a scan stands.
+    fn pointed(&self) -> Option<usize> {
+        let (standing, _) = self.standing()?;
+        Some(self.cursor.unwrap_or(standing.step))
+    }
+
+    /// Points to the line or rung so many further on while a scan stands; else scrolls.
+    fn go_by(&mut self, by: isize) {
+        match (self.pointed(), self.drawn.among()) {
+            (Some(step), Some(among)) => {
+                let map = &self.program.map;
+                self.cursor = Some(self.places.beyond(step, by, among, map));
+                self.seeks = true;
+            }
+            _ => self.scroll.by(by),
+        }
     }
 
     /// Goes on with a scan, or makes one: so far, and to the next breakpoint at most.
@@ -283,8 +312,11 @@ impl App {
         if self.fault.is_some() {
             return Ok(());
         }
-        let (places, breaks) = (&self.places, &self.breaks);
-        let stops = |step| breaks.contains(&step) || to.is_some_and(|to| to.stops(step, places));
+        let (places, breaks, here) = (&self.places, &self.breaks, self.here);
+        let stops = |step| {
+            let is_set = breaks.contains(&step) || here == Some(step);
+            is_set || to.is_some_and(|to| to.stops(step, places))
+        };
         let mut slow = match self.slow.take() {
             Some(slow) => slow,
             None => {
@@ -334,9 +366,8 @@ impl App {
         self.running = false;
         self.flow = slow.flow().clone();
         self.slow = Some(slow);
-        if let Some((_, Some(line))) = self.standing() {
-            self.scroll.show(line.saturating_sub(1));
-        }
+        (self.here, self.cursor) = (None, None);
+        self.seeks = true;
     }
 
     /// Goes on in slow motion.
@@ -345,12 +376,21 @@ impl App {
         self.scan(Some(to))
     }
 
-    /// Sets a breakpoint where the scan stands, or takes it away.
+    /// Sets a breakpoint where a person points to, or takes it away.
     fn turn_break(&mut self) {
-        if let Some((Standing { step, .. }, _)) = self.standing()
+        if let Some(step) = self.pointed()
             && !self.breaks.remove(&step)
         {
             self.breaks.insert(step);
+        }
+    }
+
+    /// Runs to where a person points to, at full speed.
+    fn run_here(&mut self) {
+        self.here = self.pointed();
+        if self.here.is_some() {
+            self.running = true;
+            self.owed = Duration::ZERO;
         }
     }
 
@@ -368,12 +408,12 @@ impl App {
                 }
             }
             (_, KeyEventKind::Release) => {}
-            (KeyCode::Up, _) => self.scroll.by(-1),
-            (KeyCode::Down, _) => self.scroll.by(1),
-            (KeyCode::PageUp, _) => self.scroll.by(-self.scroll.page()),
-            (KeyCode::PageDown, _) => self.scroll.by(self.scroll.page()),
-            (KeyCode::Home, _) => self.scroll.by(isize::MIN),
-            (KeyCode::End, _) => self.scroll.by(isize::MAX),
+            (KeyCode::Up, _) => self.go_by(-1),
+            (KeyCode::Down, _) => self.go_by(1),
+            (KeyCode::PageUp, _) => self.go_by(-self.scroll.page()),
+            (KeyCode::PageDown, _) => self.go_by(self.scroll.page()),
+            (KeyCode::Home, _) => self.go_by(isize::MIN),
+            (KeyCode::End, _) => self.go_by(isize::MAX),
             (KeyCode::Tab | KeyCode::Char('a'), KeyEventKind::Press) => self.knobs.select_next(),
             (KeyCode::Char('+' | '='), _) => self.knobs.turn(10),
             (KeyCode::Char('-'), _) => self.knobs.turn(-10),
@@ -388,6 +428,7 @@ impl App {
             (KeyCode::Char('l'), _) => self.slowly(To::Line)?,
             (_, KeyEventKind::Repeat) => {}
             (KeyCode::Char('b'), _) => self.turn_break(),
+            (KeyCode::Char('h'), _) => self.run_here(),
             (KeyCode::Char('c'), _) if key.modifiers == KeyModifiers::CONTROL => self.quit = true,
             (KeyCode::Char('q') | KeyCode::Esc, _) => self.quit = true,
             (KeyCode::Char('m'), _) => self.buttons.switch_mode(),
@@ -397,9 +438,11 @@ impl App {
             (KeyCode::Char('v'), _) => {
                 self.drawn.turn();
                 self.scroll = Scroll::to(self.drawn.home());
+                self.seeks = self.slow.is_some();
             }
             (KeyCode::Char(' '), _) if self.fault.is_none() => {
                 self.running = !self.running;
+                self.here = None;
                 self.owed = Duration::ZERO;
             }
             _ => {}
@@ -414,6 +457,7 @@ impl App {
         self.running |= self.fault.take().is_some();
         self.flow = Flow::default();
         self.slow = None;
+        (self.here, self.cursor) = (None, None);
         self.scans = 0;
         self.owed = SCAN;
     }
@@ -448,7 +492,7 @@ impl Scroll {
     }
 
     /// Has this line, counted from 0, be shown where it is not.
-    fn show(&mut self, line: usize) {
+    pub(super) fn show(&mut self, line: usize) {
         if line < self.top || line >= self.top + self.height {
             self.top = line.saturating_sub(self.height / 2);
         }

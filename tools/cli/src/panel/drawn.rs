@@ -2,6 +2,7 @@
 
 use super::ladder::Rungs;
 use super::listing::{Listing, Marked};
+use super::slow::Among;
 use crate::messages;
 use ratatui::text::Line;
 use unoclp_exercise::live::{Charts, Flow};
@@ -82,24 +83,34 @@ impl Drawn {
         }
     }
 
-    /// What is shown as lines of text, of this width where that is enough; with the step that comes next in slow motion, and
-    /// what is marked by it in a text.
+    /// What a person points to in slow motion; none in a chart.
+    pub fn among(&self) -> Option<Among> {
+        match self.view {
+            View::Text => Some(Among::Lines),
+            View::Ladder => Some(Among::Rungs),
+            View::Chart => None,
+        }
+    }
+
+    /// What is shown as lines of text, of this width where that is enough, with what slow motion marks; and the line, counted
+    /// from 0, that a person points to.
     pub fn lines(
         &self,
         flow: &Flow,
-        (next, marked): (Option<usize>, &Marked),
+        slow: &Marked,
         width: usize,
         read: impl Fn(Address) -> Option<i32>,
-    ) -> Vec<Line<'static>> {
+    ) -> (Vec<Line<'static>>, Option<usize>) {
         match self.view {
-            View::Text => self.listing.lines(flow, marked),
-            View::Ladder => self.rungs.lines(flow, next, width),
-            View::Chart => self
-                .charts
-                .pictures(read)
-                .into_iter()
-                .map(Line::raw)
-                .collect(),
+            View::Text => {
+                let row = slow.cursor.and_then(|step| self.listing.row(step));
+                (self.listing.lines(flow, slow), row)
+            }
+            View::Ladder => self.rungs.lines(flow, slow, width),
+            View::Chart => {
+                let lines = self.charts.pictures(read).into_iter();
+                (lines.map(Line::raw).collect(), None)
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The ladder diagram of a running program, energised parts with heavy lines: `┣━━┥ I1 ┝━━┤/I2 ├──( Q1 )─┤`.
 
 use super::ON;
+use super::listing::Marked;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 use unoclp_draw::{Cell, Medium, Picture, Power, Style as Drawn};
@@ -25,9 +26,14 @@ impl Rungs {
         }
     }
 
-    /// All rungs as lines of text, of this width where that is enough for them.
-    /// That of the step that comes next, where there is one, is marked.
-    pub fn lines(&self, flow: &Flow, next: Option<usize>, width: usize) -> Vec<Line<'static>> {
+    /// All rungs as lines of text, of this width where that is enough for them, with what slow motion marks; and the line,
+    /// counted from 0, of the rung that a person points to.
+    pub fn lines(
+        &self,
+        flow: &Flow,
+        slow: &Marked,
+        width: usize,
+    ) -> (Vec<Line<'static>>, Option<usize>) {
         let live = |step: usize| self.boxes.text(step, flow);
         let ladder = self.program.ladder();
         let drawing = ladder.draw(&Drawn {
@@ -37,29 +43,32 @@ impl Rungs {
         });
         let power = ladder.nets.power(&flow.acc);
         let mut lines = Vec::new();
+        let mut row = None;
         for (index, picture) in drawing.rungs.iter().enumerate() {
             let head = &ladder.rungs[index];
             let part = head.part.map(unoclp_draw::picture);
             lines.extend(part.map(|part| Line::raw(format!("    {part}:"))));
             let labels = head.labels.iter();
             lines.extend(labels.map(|label| Line::raw(format!("    L{label}:"))));
-            let comes =
-                next.is_some_and(|step| (head.first..head.first + head.steps).contains(&step));
-            lines.extend(rung(index + 1, comes, picture, &power));
+            let holds = |step: usize| (head.first..head.first + head.steps).contains(&step);
+            if slow.cursor.is_some_and(holds) {
+                row = Some(lines.len());
+            }
+            let number = slow.number(&format!("{:>3} ", index + 1), holds);
+            lines.extend(rung(number, picture, &power));
         }
-        lines
+        (lines, row)
     }
 }
 
 /// The lines of a rung, its number before its first wire.
-fn rung(number: usize, comes: bool, picture: &Picture, power: &Power) -> Vec<Line<'static>> {
+fn rung(number: Span<'static>, picture: &Picture, power: &Power) -> Vec<Line<'static>> {
     let line = |(row, cells): (usize, &Vec<Cell>)| {
         let margin = match row == picture.axis {
-            true if comes => format!("{number:>3}▶"),
-            true => format!("{number:>3} "),
-            false => " ".repeat(MARGIN),
+            true => number.clone(),
+            false => Span::raw(" ".repeat(MARGIN)),
         };
-        let mut spans = vec![Span::raw(margin)];
+        let mut spans = vec![margin];
         let alike = |one: &Cell, other: &Cell| one.shown(power).1 == other.shown(power).1;
         for cells in cells.chunk_by(alike) {
             let shown = cells.iter().filter(|cell| cell.ch != '\0');

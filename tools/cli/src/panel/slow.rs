@@ -1,8 +1,8 @@
-//! A scan in slow motion: where it stands, and how far it goes on by one key.
+//! A scan in slow motion: where it stands, how far it goes on by one key, and where a person points to.
 //!
 //! Owns where a scan stops. Must not know keys, nor what is shown of it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use unoclp_checked::SourceMap;
 use unoclp_core::Scan;
 use unoclp_core::isa::Opcode;
@@ -24,6 +24,15 @@ pub struct Places {
     heads: BTreeSet<usize>,
     rungs: BTreeSet<usize>,
     lines: BTreeSet<usize>,
+    /// The first step of each line that makes code.
+    firsts: BTreeMap<usize, usize>,
+}
+
+/// What one points to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Among {
+    Lines,
+    Rungs,
 }
 
 impl Places {
@@ -35,13 +44,37 @@ impl Places {
             [before, place] if before.line != place.line => Some(step),
             _ => None,
         });
+        let mut firsts = BTreeMap::new();
+        for (step, place) in program.map.steps.iter().enumerate() {
+            firsts.entry(place.line).or_insert(step);
+        }
         let steps = (0..).zip(program.program().steps());
         let heads = steps.filter(|(_, step)| step.opcode == Opcode::NewRung);
         Places {
             heads: heads.map(|(index, _)| index).collect(),
             rungs: ladder.rungs.iter().map(|rung| rung.first).collect(),
             lines: lines.chain([0]).collect(),
+            firsts,
         }
+    }
+
+    /// The first step of the line or rung so many after that of a step, or of the last there is: those without code are passed
+    /// over.
+    pub fn beyond(&self, step: usize, by: isize, among: Among, map: &SourceMap) -> usize {
+        let all: Vec<usize> = match among {
+            Among::Lines => self.firsts.values().copied().collect(),
+            Among::Rungs => self.rungs.iter().copied().collect(),
+        };
+        let begun = match among {
+            Among::Lines => {
+                let line = line(map, step).unwrap_or(usize::MAX);
+                self.firsts.range(..=line).count()
+            }
+            Among::Rungs => self.rungs.range(..=step).count(),
+        };
+        let last = all.len().saturating_sub(1);
+        let at = begun.saturating_sub(1).saturating_add_signed(by).min(last);
+        all.get(at).copied().unwrap_or_default()
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::ON;
 use super::app::App;
-use super::listing::Marked;
 use super::memory::MemoryPage;
 use super::slow::Standing;
 use crate::lamps::{Lamp, Lamps, Sides};
@@ -289,22 +288,21 @@ fn timer_spans(label: &str, timer: &TimerState, digits: usize, width: usize) -> 
 fn draw_rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     let width = usize::from(area.width);
     let standing = app.standing();
-    let marked = Marked {
-        next: standing.as_ref().and_then(|(_, line)| *line),
-        breaks: app.breaks(),
-    };
-    let next = standing.as_ref().map(|(standing, _)| standing.step);
-    let slow = (next, &marked);
-    let lines = app
+    let (lines, pointed) = app
         .drawn
-        .lines(&app.flow, slow, width, |point| app.read(point));
+        .lines(&app.flow, &app.marked(), width, |point| app.read(point));
     let what = app.drawn.title(|point| app.read(point));
     let what = match &standing {
         Some((standing, line)) => format!("{what}: {}", stands(standing, *line)),
         None => what,
     };
     let height = usize::from(area.height.saturating_sub(1));
-    let (count, top) = (lines.len(), app.scroll.fit(lines.len(), height));
+    let mut top = app.scroll.fit(lines.len(), height);
+    if let (true, Some(row)) = (std::mem::take(&mut app.seeks), pointed) {
+        app.scroll.show(row);
+        top = app.scroll.fit(lines.len(), height);
+    }
+    let count = lines.len();
     let shown: Vec<Line> = lines.into_iter().skip(top).take(height).collect();
     let title = if count > height && height > 0 {
         messages::lines_of(what, top + 1, top + shown.len(), count)

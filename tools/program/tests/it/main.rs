@@ -1,3 +1,4 @@
 //! Programs as people have written them.
 
 mod documents;
+mod origins;

@@ -12,6 +12,7 @@ import { h } from "../dom";
 import { keep, kept } from "../kept";
 import { announce } from "../notes";
 import type { Past } from "../project/past";
+import { DRAWN } from "./drawn";
 import { type Done, Form } from "./form";
 import { LiveChart } from "./live";
 
@@ -76,6 +77,7 @@ export class ChartPane {
     speak.follow(() => {
       translate(this.pane);
       this.select(this.selected);
+      this.tell();
     });
   }
 
@@ -133,6 +135,7 @@ export class ChartPane {
       this.paper.innerHTML = chart.svg;
       this.paper.scrollTo(scrollLeft, scrollTop);
     }
+    this.tell();
     this.select(this.selected);
     for (const part of chart.parts) {
       const wrong = this.wrongIn(part);
@@ -141,6 +144,15 @@ export class ChartPane {
       group?.classList.toggle("warned", wrong.some(({ severity }) => severity === "warning"));
     }
     this.live.show(chart);
+  }
+
+  /** Each part says what it is, and which instructions it has become: slow motion stops there. */
+  private tell(): void {
+    for (const part of this.chart?.parts ?? []) {
+      const { dataset } = this.paper.querySelector<SVGElement>(`[data-id="${part.id}"]`) ?? {};
+      if (dataset) [dataset["code"], dataset["said"]] = [part.steps.join(" "), called(part)];
+    }
+    this.paper.dispatchEvent(new CustomEvent(DRAWN, { bubbles: true }));
   }
 
   private wrongIn({ places }: ChartPart): readonly Problem[] {
@@ -159,7 +171,7 @@ export class ChartPane {
     const { chart } = this;
     const part = chart?.parts.find((part) => part.id === id) ?? chart?.parts[0];
     if (!chart || !part) return;
-    if (part.id !== this.selected) announce(`${say(KINDS[part.kind] ?? "chartStep")} ${part.kind === "transition" ? part.text : part.name}`);
+    if (part.id !== this.selected) announce(called(part));
     this.selected = part.id;
     for (const one of this.paper.querySelectorAll<SVGElement>("[data-id]")) one.classList.toggle("selected", one.dataset["id"] === part.id);
     this.form.show(part, chart.parts.filter(({ kind }) => kind === "step").map(({ name }) => name), this.wrongIn(part));
@@ -234,7 +246,12 @@ export class ChartPane {
   }
 }
 
-/** How a part is called. */
+/** A part in words. */
+function called({ kind, name, text }: ChartPart): string {
+  return `${say(KINDS[kind] ?? "chartStep")} ${kind === "transition" ? text : name}`;
+}
+
+/** What the kinds of parts are called. */
 const KINDS: Readonly<Record<string, "chartStep" | "chartAction" | "chartTransition" | "chartJump" | "chartWait">> = {
   step: "chartStep", does: "chartAction", transition: "chartTransition", jump: "chartJump", wait: "chartWait",
 };

@@ -6,6 +6,8 @@ import type { Made } from "../../tools/answers";
 export interface Stop {
   readonly step: number;
   readonly line: number;
+  /** The part of a chart, in words, where it is one. */
+  readonly part?: string;
 }
 
 /** The line that an instruction comes from, from 1. */

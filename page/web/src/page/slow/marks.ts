@@ -42,26 +42,38 @@ export function markText(view: EditorView, lines: Lines): void {
   view.dispatch({ effects });
 }
 
-/** Marks elements of the drawings that are shown. */
+/** Marks elements of the drawings that are shown, and parts of a chart. */
 export function markDrawings(next: Range | null, stops: readonly number[]): void {
   let seen: Element | null = null;
-  for (const [element, from, last] of drawn()) {
-    const comes = next !== null && from < next[1] && last >= next[0];
+  for (const [element, holds] of [...drawn(), ...charted()]) {
+    const comes = next !== null && holds(...next);
     element.classList.toggle("slow-here", comes);
-    element.classList.toggle("slow-stop", stops.some((step) => from <= step && step <= last));
+    element.classList.toggle("slow-stop", stops.some((step) => holds(step, step + 1)));
     if (comes && element.getClientRects().length > 0) seen ??= element;
   }
   seen?.scrollIntoView({ block: "nearest", inline: "nearest" });
 }
 
-/** The elements of the drawings, each with its first and last instruction. */
-function drawn(): (readonly [Element, number, number])[] {
+/** Whether one of these instructions is an element's. */
+type Holds = (...[from, until]: Range) => boolean;
+
+/** The parts of the chart that is shown. */
+function charted(): (readonly [Element, Holds])[] {
+  return [...document.querySelectorAll<SVGElement>("#chart-sheet [data-code]")].map((part) => {
+    const steps = codeOf(part);
+    return [part, (from, until) => steps.some((step) => from <= step && step < until)];
+  });
+}
+
+/** The elements of the drawings. */
+function drawn(): (readonly [Element, Holds])[] {
   return [byId("ladder"), byId("draw")].flatMap((root) =>
     [...root.querySelectorAll<SVGElement>(".rung")].flatMap((rung) => {
       const first = Number(rung.dataset["first"]);
       return [...rung.querySelectorAll<SVGElement>(".element[data-steps]")].flatMap((element) => {
         const steps = stepsOf(element);
-        return steps.length > 0 ? [[element, first + Math.min(...steps), first + Math.max(...steps)] as const] : [];
+        const [own, last] = [first + Math.min(...steps), first + Math.max(...steps)];
+        return steps.length > 0 ? [[element, (from: number, until: number) => own < until && last >= from] as const] : [];
       });
     }),
   );
@@ -74,6 +86,18 @@ export function selected(): number | null {
   if (!one || !rung) return null;
   const steps = stepsOf(one);
   return Number(rung.dataset["first"]) + (steps.length > 0 ? Math.min(...steps) : 0);
+}
+
+/** The part of a chart that is selected where one is shown: what it is, and its first instruction. */
+export function selectedPart(): { readonly name: string; readonly step: number | null } | null {
+  const part = document.querySelector<SVGElement>("#chart-sheet .selected[data-code]");
+  if (!part || part.getClientRects().length === 0) return null;
+  return { name: part.dataset["said"] ?? "", step: codeOf(part)[0] ?? null };
+}
+
+/** The instructions that a part of a chart has become. */
+function codeOf(part: SVGElement): number[] {
+  return (part.dataset["code"] ?? "").split(" ").filter(Boolean).map(Number);
 }
 
 /** The instructions of an element, from the first of its rung; some elements have none of their own. */

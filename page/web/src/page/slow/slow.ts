@@ -15,8 +15,9 @@ import type { Editor } from "../editor";
 import { note } from "../notes";
 import { upTo } from "../points";
 import { type Stop, lineOf, lineStarts, rungStarts, stopAt } from "./code";
-import { markDrawings, markText, selected } from "./marks";
-import { type Stepper, isKnown, stepper } from "./stepper";
+import { DRAWN } from "../sfc/drawn";
+import { markDrawings, markText, selected, selectedPart } from "./marks";
+import { type Stepper, stepper } from "./stepper";
 
 const say = sayFrom(SLOW);
 
@@ -50,6 +51,11 @@ function readAt(seen: Seen, { live, driven }: Stood): Seen {
   return { ...seen, live, outputs };
 }
 
+/** What takes a breakpoint away. */
+function taken({ line, part }: Stop): string {
+  return part === undefined ? say("slowTake", { line }) : say("slowTakePart", { part });
+}
+
 export class SlowMotion {
   private held: Held | null = null;
   /** Where it stands; null while it runs. */
@@ -74,6 +80,7 @@ export class SlowMotion {
       h("div", { class: "slow-bar", role: "toolbar", "data-say-label": "slow" }, ...buttons, h("span", { class: "grow" }), close), this.state, this.breaks, this.beside);
     byId("views").after(this.root);
     document.addEventListener("keydown", (event) => this.press(event), { capture: true });
+    document.addEventListener(DRAWN, () => this.show());
     program.text.follow(({ text }) => {
       if (this.held && text !== this.held.text.text) this.end("slowChanged");
     });
@@ -106,7 +113,6 @@ export class SlowMotion {
     const looked = program.looked.value;
     const made = looked?.checked.program;
     if (bench.where.value === "desk") return note(() => say("slowDesk"));
-    if (!(await isKnown(bench))) return note(() => say("slowOther", { board: bench.board.value.name }));
     const isOn = made && bench.seen.value?.same === true && bench.on.value?.text === looked.text.text && bench.seen.value.state === "RUN";
     if (!looked || !made || !isOn) return note(() => say("slowNothing"));
     await dressIn("slow.css");
@@ -162,8 +168,14 @@ export class SlowMotion {
     }
   }
 
-  /** What the cursor is at, in the drawing or in the text. */
+  /** What the cursor is at, in the chart, in the drawing or in the text. */
   private chosen(made: Made): Stop | null {
+    const part = selectedPart();
+    if (part?.step === null) {
+      note(() => say("slowNoPart", { part: part.name }));
+      return null;
+    }
+    if (part) return { step: part.step, line: lineOf(made, part.step) ?? 1, part: part.name };
     const drawn = byId("views").dataset["view"] === "draw" ? selected() : null;
     if (drawn !== null) return { step: drawn, line: lineOf(made, drawn) ?? 1 };
     const { state } = this.editor.view;
@@ -230,8 +242,8 @@ export class SlowMotion {
     this.state.textContent = this.saying(now, line);
     this.breaks.hidden = this.stops.length === 0;
     this.breaks.replaceChildren(h("b", {}, say("slowBreaks")), ...this.stops.map((stop) =>
-      h("button", { type: "button", "data-step": stop.step, "aria-label": say("slowTake", { line: stop.line }), title: say("slowTake", { line: stop.line }), click: () => this.turn(stop) },
-        say("slowBreakOf", { line: stop.line }), " ×")));
+      h("button", { type: "button", "data-step": stop.step, "aria-label": taken(stop), title: taken(stop), click: () => this.turn(stop) },
+        stop.part ?? say("slowBreakOf", { line: stop.line }), " ×")));
     this.beside.replaceChildren(...(now ? this.registers(now, held.made) : []));
   }
 

@@ -1,6 +1,6 @@
 // Who goes through a scan slowly: the firmware on the simulated board, or this computer.
 
-import type { Event } from "unoclp-uno";
+import type { BoardId, Event } from "unoclp-uno";
 import type { Go, Places, Standing } from "unoclp-uno/slow";
 import type { OfSlow } from "../../board/messages";
 import { beside } from "../../offline/beside";
@@ -24,17 +24,11 @@ export async function stepper(bench: Bench, tools: RemoteTools, text: Text, stoo
   return bench.where.value === "core" ? ofCore(bench, stood) : ofBoard(bench, tools, text, stood);
 }
 
-/** Where the firmwares of boards have what slow motion asks of them, by the boards' names. */
-const places = async (): Promise<Readonly<Record<string, Places>>> => (await (await beside("slow.json")).json()) as Readonly<Record<string, Places>>;
-
-/** Whether the board at hand can be gone through slowly. */
-export async function isKnown({ where, board }: Bench): Promise<boolean> {
-  return where.value === "core" || board.value.name in (await places());
-}
+/** Where the firmwares of the simulated boards have what slow motion asks of them. */
+const places = async (): Promise<Readonly<Record<BoardId, Places>>> => (await (await beside("slow.json")).json()) as Readonly<Record<BoardId, Places>>;
 
 async function ofBoard(bench: Bench, tools: RemoteTools, text: Text, stood: (now: Stood) => void): Promise<Stepper | null> {
-  const own = (await places())[bench.board.value.name];
-  if (!own) return null;
+  const own = (await places())[bench.simulated.id];
   let held: (is: boolean) => void = () => undefined;
   const isHeld = new Promise<boolean>((resolve) => (held = resolve));
   let latest: Standing | null = null;
@@ -44,7 +38,7 @@ async function ofBoard(bench: Bench, tools: RemoteTools, text: Text, stood: (now
     const { standing } = event;
     latest = standing;
     const { left, ...now } = standing;
-    const trail = left.map(({ from, to, acc, value, images }) => [from, to, acc, value, images] as const);
+    const trail = left.map(({ from, to, acc, value, inputs, outputs }) => [from, to, acc, value, inputs, outputs] as const);
     // One that came later has been told.
     const tell = (live: Live | null): void => {
       if (latest === standing) stood({ ...now, live });
