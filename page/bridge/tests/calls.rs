@@ -740,7 +740,7 @@ fn each_exercise_begins_as_an_empty_drawing_with_its_names() {
         }
         seen += 1;
     }
-    assert_eq!(seen, 43);
+    assert_eq!(seen, 51);
 }
 
 #[test]

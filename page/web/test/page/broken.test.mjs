@@ -42,9 +42,10 @@ async function open(page, plant) {
   await pick(page, "#machines");
   await page.locator(`#gallery [data-machine="${plant}.toml"]`).click();
   await page.locator("#machine").waitFor();
-  // One that is wired to a board with more points offers that.
+  // One that is wired to a board with more points offers that, until it is chosen.
   const other = page.locator("#machine-board");
-  if (WIRED.test(file(`${plant}.toml`))) await other.click();
+  const isOffered = WIRED.test(file(`${plant}.toml`)) && (await page.locator("#for-board").inputValue()) !== "mega";
+  if (isOffered) await other.click();
   await other.waitFor({ state: "hidden" });
 }
 

@@ -63,7 +63,7 @@ fn what_cannot_be_done_is_exit_code_2_and_says_what_to_do() {
         (&["list", "no-such.txt"], "error: no-such.txt cannot be read ("),
         (&["list"], "error: the following required arguments were not provided:\n  <FILE>"),
         (&["list", &program, "--width", "20"], "error: invalid value '20' for '--width <N>': 20 is not in 56..=1000"),
-        (&["list", &program, "--as", "numeric", "--svg", "o.svg"], "error: --svg draws a ladder diagram, or a chart with --as sfc or grafcet; leave out --as, or --svg"),
+        (&["list", &program, "--as", "numeric", "--svg", "o.svg"], "error: --svg draws a ladder diagram, with --as fbd a block diagram, with --as sfc or grafcet a chart; leave out --as, or --svg"),
         (&["list", &program, "--svg", "no-such/o.svg"], "error: no-such/o.svg cannot be written: "),
         (&["fly"], "error: unrecognized subcommand 'fly'"),
         (&[], "The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it"),
