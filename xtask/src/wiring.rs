@@ -84,7 +84,7 @@ pub fn wired() -> Result<Vec<Wired>> {
         };
         let [numbers, pins] = [
             range(numbers)?,
-            range(pins.trim_end_matches(", downwards"))?,
+            range(pins.trim_end_matches(", descending"))?,
         ];
         ensure!(numbers.len() == pins.len(), "{row}");
         let named = numbers.iter().zip(&pins);

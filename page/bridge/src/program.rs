@@ -59,12 +59,9 @@ answer! {
 }
 
 answer! {
-    /// How much of the board it takes: bytes, each of so many.
+    /// How much of the board it takes: bytes, of so many.
     struct Size as "Size" {
-        codes: u16,
         stored: [usize; 2],
-        linked: [usize; 2],
-        text: Both,
     }
 }
 
@@ -245,10 +242,7 @@ fn made(source: &Source, symbols: Option<BTreeMap<String, String>>) -> Made {
         symbols: symbols.unwrap_or_default(),
         map: map.collect(),
         size: Size {
-            codes: source.size.codes,
             stored: [source.size.stored_bytes, source.board().stored_bytes.into()],
-            linked: [source.size.linked_bytes, source.board().linked_bytes.into()],
-            text: both(|lang| source.size.text(lang)),
         },
         uses: Uses::of(source),
         kept: Kept::of(source.program()).into(),

@@ -293,7 +293,7 @@ fn the_boards_of_a_site_are_served_each_by_its_name() {
     let told = server.line();
     assert_eq!(
         told,
-        "board two: the same page with #board/two in place of #board"
+        "board two: the same page with #board/two instead of #board"
     );
     let modbus = server.line().replace("Modbus TCP: ", "");
     let mut said = Vec::new();

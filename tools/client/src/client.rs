@@ -3,7 +3,7 @@
 use crate::AT_A_LINE;
 use crate::identity::Identity;
 use crate::link::{Format, Gone, Link};
-use crate::start::{QUIET, is_start_text};
+use crate::start_text::{QUIET, is_start_text};
 use std::time::Duration;
 use unoclp_core::Board;
 use unoclp_modbus::client::{NoReply, Reply, Request};

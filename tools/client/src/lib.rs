@@ -40,6 +40,7 @@ pub mod settings;
 #[cfg(feature = "more")]
 pub mod settle;
 pub mod start;
+mod start_text;
 pub mod upload;
 pub mod watch;
 pub mod words;

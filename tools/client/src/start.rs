@@ -3,7 +3,7 @@
 use crate::client::{Client, Failure};
 use crate::identity::Identity;
 use crate::map::VENDOR;
-use std::time::Duration;
+use crate::start_text::{QUIET, is_start_text};
 use unoclp_modbus::Exception;
 
 /// Why there is no board to speak to.
@@ -18,9 +18,6 @@ pub enum NotFound {
     /// It is not to be found out.
     Failed(Failure),
 }
-
-/// Silence after which a board is taken for one that has no boot text to say.
-pub(crate) const QUIET: Duration = Duration::from_millis(2500);
 
 /// Finds the board. One that has probably been reset as the port was opened is given the time to start.
 ///
@@ -56,35 +53,5 @@ pub fn judged(identity: Result<Identity, Failure>) -> Result<Identity, NotFound>
         Err(Failure::Garbled) => Err(NotFound::Garbled),
         Err(Failure::Refused(Exception::IllegalFunction)) => Err(NotFound::Foreign(None)),
         Err(failure) => Err(NotFound::Failed(failure)),
-    }
-}
-
-/// Whether this is all that a board says when it starts: it ends with `RUN`, `STOP` or a fault.
-pub(crate) fn is_start_text(said: &[u8]) -> bool {
-    let Some(lines) = said.strip_suffix(b"\r\n") else {
-        return false;
-    };
-    let last = lines.rsplit(|&byte| byte == b'\n').next();
-    last.is_some_and(|last| last == b"RUN" || last == b"STOP" || last.starts_with(b"fault "))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_start_text_ends_with_what_the_board_does() {
-        for all in [
-            "\r\nunoclp 0.1.0\r\n4 codes\r\nRUN\r\n",
-            "STOP\r\n",
-            "x\r\nfault 51: no card\r\n",
-        ] {
-            assert!(is_start_text(all.as_bytes()), "{all:?}");
-            let part = &all.as_bytes()[..all.len() - 1];
-            assert!(!is_start_text(part), "{all:?}");
-        }
-        for part in ["", "\r\n", "RUN", "RUN\r\nx\r\n", "unoclp 0.1.0\r\n"] {
-            assert!(!is_start_text(part.as_bytes()), "{part:?}");
-        }
     }
 }

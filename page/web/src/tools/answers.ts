@@ -596,12 +596,9 @@ export interface Shown {
   readonly svg: Both;
 }
 
-/** How much of the board it takes: bytes, each of so many. */
+/** How much of the board it takes: bytes, of so many. */
 export interface Size {
-  readonly codes: number;
   readonly stored: readonly [number, number];
-  readonly linked: readonly [number, number];
-  readonly text: Both;
 }
 
 /** A step of a conversation. */

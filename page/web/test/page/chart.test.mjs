@@ -217,7 +217,7 @@ END_PROGRAM
 test("A+B+B-A- as a chart controls its cylinders", async () => {
   const page = await lab.open();
   await pick(page, "#machines");
-  await page.locator("#gallery .gallery-card", { has: page.locator("h3", { hasText: "Cylinders" }) }).locator("[data-machine]").click();
+  await page.locator("#gallery .gallery-card", { has: page.locator("h3", { hasText: "Cylinders A+ B+ B−" }) }).locator("[data-machine]").click();
   await page.locator("#machine").waitFor();
   await choose(page, "cylinders.st", Buffer.from(CYLINDERS));
   await page.click("#view-draw");

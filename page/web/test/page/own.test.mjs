@@ -100,8 +100,9 @@ test("an exercise is dropped with its machine, whose rules are sentences, and a 
   for (const button of ["#exercise-link", "#machine-link"]) {
     await page.evaluate(() => navigator.clipboard.writeText(""));
     await page.click(button);
-    await page.waitForFunction(async () => (await navigator.clipboard.readText()).includes("#"));
-    links.push(new URL(await page.evaluate(() => navigator.clipboard.readText())).hash);
+    let link = "";
+    while (!link.includes("#")) link = await page.evaluate(() => navigator.clipboard.readText());
+    links.push(new URL(link).hash);
   }
   await page.context().close();
   const [exercise = "", machine = ""] = links;

@@ -183,7 +183,7 @@ for (const board of ["uno", "pc"]) {
     // It makes no code of its own: that is told, and nothing else changes.
     await part("s1").click();
     await page.keyboard.press("F9");
-    await page.locator("#notes", { hasText: "Step Fill: this part of the chart makes no code of its own." }).waitFor();
+    await page.locator("#notes", { hasText: "Step Fill: this part of the chart generates no code of its own." }).waitFor();
     assert.equal(await page.locator(".slow-breaks button").count(), 1);
     // The marks outlast another look of the same chart.
     await page.click("#chart-look");

@@ -113,7 +113,7 @@ fn stands(host: &mut HostEngine, inputs: Inputs, now: u32) -> Vec<Seam> {
 }
 
 /// Each seam is one of the core's, in their order. The engine runs labels, ELS and END where it jumps to one, and they make
-/// acc 1; the core passes over them.
+/// acc 1; the core passes over them, so they are not compared: it may come to the same one later, in another turn of a loop.
 fn alike(seams: &[Seam], core: &[Seam], opcodes: &[Opcode], name: &str) {
     let mut rest = core.iter();
     for seam in seams {
@@ -121,11 +121,11 @@ fn alike(seams: &[Seam], core: &[Seam], opcodes: &[Opcode], name: &str) {
             opcodes.get(seam.step),
             Some(Opcode::Label | Opcode::Else | Opcode::EndIf)
         );
-        let before = rest.clone();
+        if joins {
+            continue;
+        }
         match rest.find(|core| core.step == seam.step) {
-            Some(core) if !joins => assert_eq!(seam, core, "{name}"),
-            Some(_) => {}
-            None if joins => rest = before,
+            Some(core) => assert_eq!(seam, core, "{name}"),
             None => panic!("{name}: the core is never at {seam:?}: {core:?}"),
         }
     }

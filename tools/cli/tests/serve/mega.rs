@@ -40,7 +40,7 @@ fn mega() -> (Mega, String) {
 /// Asks again until the gateway tells all of this of its boards.
 fn tells(address: &str, all: &[&str]) {
     let mut told = String::new();
-    for _ in 0..5_000 {
+    for _ in 0..100_000 {
         told = http(address, "/api/boards");
         if all.iter().all(|part| told.contains(part)) {
             return;
