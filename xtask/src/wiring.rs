@@ -69,7 +69,7 @@ pub fn wired() -> Result<Vec<Wired>> {
                 all.push(one(pins, "STOP", Part::Button));
                 continue;
             }
-            _ if point == "direction" => {
+            _ if point == "direction pin" => {
                 all.push(one(pins, "RS-485 DE, RE", Part::Module));
                 continue;
             }
