@@ -224,6 +224,7 @@ test("a Mega goes slowly too, by the map of its own firmware", async () => {
   await page.keyboard.press("Control+F8");
   await stands(page, /The scan is over/);
   await page.keyboard.press("Control+F10");
+  await stands(page, /Next: line 1/);
   await page.keyboard.press("Control+F10");
   await stands(page, /Next: line 5/);
   // The output is written at the end of the scan.
