@@ -10,7 +10,7 @@ use super::page::{Font, Page, of_net};
 use super::{AXIS, COLUMN, GAP, HALF, MARGIN};
 use crate::blocks::{Graph, Kind, Placed, Vertex};
 use crate::face::Face;
-use crate::{Element, Ladder, Rung, Style, Symbol};
+use crate::{Element, Ladder, NARROWEST, Rung, Style, Symbol};
 use unicode_width::UnicodeWidthStr;
 
 /// A rung as blocks, laid out.
@@ -47,6 +47,16 @@ const GATE: f32 = 36.0;
 const NOTE: f32 = 17.0;
 
 impl<'l> Diagram<'l> {
+    /// All rungs, and the columns that they take.
+    pub(super) fn all(ladder: &'l Ladder, style: &Style<'_>) -> (Vec<Diagram<'l>>, usize) {
+        let rungs = ladder.rungs.iter();
+        let all: Vec<_> = rungs
+            .map(|rung| Diagram::new(ladder, rung, style))
+            .collect();
+        let columns = all.iter().map(Diagram::columns).max();
+        (all, columns.unwrap_or(0).max(NARROWEST))
+    }
+
     /// A rung as blocks.
     pub(crate) fn new(ladder: &'l Ladder, rung: &Rung, style: &Style<'_>) -> Diagram<'l> {
         let graph = Graph::of(ladder, rung);

@@ -5,7 +5,7 @@ use super::node::Node;
 use super::page::{Font, Page, titled};
 use super::{COLUMN, GAP, MARGIN, MILLIMETRES};
 use crate::listing::{Title, heading, wrapped};
-use crate::{Drawing, Ladder, NARROWEST, Names, Style};
+use crate::{Drawing, Ladder, Names, Style};
 use unoclp_checked::SourceMap;
 
 /// From one line of the title to the next, and what a letter of it takes, on an average.
@@ -63,12 +63,7 @@ pub fn to_svg_of_blocks(
     title: Title<'_>,
     about: &str,
 ) -> String {
-    let rungs = ladder.rungs.iter();
-    let diagrams: Vec<Diagram<'_>> = rungs
-        .map(|rung| Diagram::new(ladder, rung, style))
-        .collect();
-    let columns = diagrams.iter().map(Diagram::columns).max();
-    let columns = columns.unwrap_or(0).max(NARROWEST);
+    let (diagrams, columns) = Diagram::all(ladder, style);
     let mut page = Page::new(ladder, columns, MARGIN);
     page.about(about);
     for (index, diagram) in diagrams.iter().enumerate() {

@@ -17,7 +17,7 @@ use super::node::Node;
 use super::page::Page;
 use super::{COLUMN, GAP, MARGIN};
 use crate::listing::{Title, heading};
-use crate::{Drawing, Ladder, NARROWEST, Names, Picture, Rung, Style};
+use crate::{Drawing, Ladder, Names, Picture, Rung, Style};
 use unoclp_checked::{SourceMap, Work};
 
 /// A rung on a screen. Nothing in it says where among others it stands: it is the same wherever that is.
@@ -100,12 +100,7 @@ pub fn to_blocks(
     label: &str,
 ) -> String {
     Work::note(|work| work.drawings += 1);
-    let rungs = ladder.rungs.iter();
-    let diagrams: Vec<Diagram<'_>> = rungs
-        .map(|rung| Diagram::new(ladder, rung, style))
-        .collect();
-    let columns = diagrams.iter().map(Diagram::columns).max();
-    let columns = columns.unwrap_or(0).max(NARROWEST);
+    let (diagrams, columns) = Diagram::all(ladder, style);
     let rungs = ladder.rungs.iter().zip(&diagrams).enumerate();
     let strips = rungs.map(|(index, (rung, diagram))| {
         let heading = heading((ladder, columns), map, style.names, title, index);
