@@ -70,8 +70,7 @@ fn drawn(
     before: Found,
     imported: &mut Imported,
 ) -> Found {
-    let mut found = before.clone();
-    ladder(text, project, board, &mut found, imported);
+    let mut found = as_ladder(text, project, board, &before, imported);
     if !found.has_errors() {
         return found;
     }
@@ -80,15 +79,7 @@ fn drawn(
         found.retain(|code| *code != Code::XmlTangle);
         return found;
     }
-    let mut as_text = before;
-    body::compile(
-        text,
-        project,
-        TextLanguage::St,
-        board,
-        &mut as_text,
-        imported,
-    );
+    let as_text = as_text(text, project, board, before, imported);
     // A mistake is told in the words of the ladder, but for what only a text has.
     let is_plain = project
         .programs
@@ -112,12 +103,34 @@ fn blocks(
     before: Found,
     imported: &mut Imported,
 ) -> Found {
+    let found = as_ladder(text, project, board, &before, imported);
+    match found.has_errors() {
+        true => as_text(text, project, board, before, imported),
+        false => found,
+    }
+}
+
+/// What is found where a document is to hold it.
+fn as_ladder(
+    text: &str,
+    project: &Project<'_, '_>,
+    board: Board,
+    before: &Found,
+    imported: &mut Imported,
+) -> Found {
     let mut found = before.clone();
     ladder(text, project, board, &mut found, imported);
-    if !found.has_errors() {
-        return found;
-    }
-    found = before;
+    found
+}
+
+/// What is found where it becomes Structured Text.
+fn as_text(
+    text: &str,
+    project: &Project<'_, '_>,
+    board: Board,
+    mut found: Found,
+    imported: &mut Imported,
+) -> Found {
     body::compile(text, project, TextLanguage::St, board, &mut found, imported);
     found
 }

@@ -302,10 +302,7 @@ impl<'a, 'x: 'a> Grown<'_, '_, 'a, 'x> {
                     "<block localId=\"{id}\" typeName=\"{written}\"{instance} height=\"{high}\" width=\"90\"><position x=\"{x}\" y=\"{y}\"/><inputVariables>{pins}</inputVariables><inOutVariables/><outputVariables>{outputs}</outputVariables></block>"
                 )
             }
-            "inVariable" => write!(
-                to,
-                "<inVariable localId=\"{id}\" height=\"24\" width=\"60\"><position x=\"{x}\" y=\"{y}\"/><connectionPointOut/><expression>{written}</expression></inVariable>"
-            ),
+            "inVariable" => to.write_str(&in_variable(&id, &written, (x, y))),
             "outVariable" => write!(
                 to,
                 "<outVariable localId=\"{id}\" height=\"24\" width=\"60\"><position x=\"{x}\" y=\"{y}\"/><connectionPointIn>{wires}</connectionPointIn><expression>{written}</expression></outVariable>"
@@ -318,12 +315,9 @@ impl<'a, 'x: 'a> Grown<'_, '_, 'a, 'x> {
         (id, to)
     }
 
-    fn value(&mut self, expression: &str, (x, y): (f64, f64)) -> (String, String) {
+    fn value(&mut self, expression: &str, at: (f64, f64)) -> (String, String) {
         let id = self.next();
-        let expression = escaped(expression);
-        let value = format!(
-            "<inVariable localId=\"{id}\" height=\"24\" width=\"60\"><position x=\"{x}\" y=\"{y}\"/><connectionPointOut/><expression>{expression}</expression></inVariable>"
-        );
+        let value = in_variable(&id, &escaped(expression), at);
         (id, value)
     }
 
@@ -386,6 +380,13 @@ impl<'a, 'x: 'a> Grown<'_, '_, 'a, 'x> {
             }
         }
     }
+}
+
+/// A value.
+fn in_variable(id: &str, expression: &str, (x, y): (f64, f64)) -> String {
+    format!(
+        "<inVariable localId=\"{id}\" height=\"24\" width=\"60\"><position x=\"{x}\" y=\"{y}\"/><connectionPointOut/><expression>{expression}</expression></inVariable>"
+    )
 }
 
 /// An input of a block.
