@@ -212,23 +212,18 @@ fn kind(table: &Keys<'_>) -> Kind {
     let Some(At { value, place }) = table.text("kind", "\"mega\"") else {
         return AT_A_LINE;
     };
-    let mut kinds = Kind::ALL.into_iter().filter(Kind::has_firmware);
-    kinds
-        .clone()
-        .find(|kind| kind.id() == value)
-        .unwrap_or_else(|| {
-            let names: Vec<_> = kinds
-                .by_ref()
-                .map(|kind| format!("\"{}\"", kind.id()))
-                .collect();
-            let wrong = Amiss::Choice {
-                key: "kind".to_owned(),
-                given: value,
-                known: names.join(", "),
-            };
-            table.notes.wrong(&place, wrong);
-            AT_A_LINE
-        })
+    let named = Kind::named(&value).filter(Kind::has_firmware);
+    named.unwrap_or_else(|| {
+        let kinds = Kind::ALL.into_iter().filter(Kind::has_firmware);
+        let names: Vec<_> = kinds.map(|kind| format!("\"{}\"", kind.id())).collect();
+        let wrong = Amiss::Choice {
+            key: "kind".to_owned(),
+            given: value,
+            known: names.join(", "),
+        };
+        table.notes.wrong(&place, wrong);
+        AT_A_LINE
+    })
 }
 
 fn points(table: &Keys<'_>, program: &At<String>, kind: Kind, files: &dyn Files) -> Option<Points> {
