@@ -6,8 +6,9 @@ mod words;
 
 use crate::{Source, WrittenIn, names};
 use std::path::Path;
+use unoclp_checked::SourceMap;
 use unoclp_draw::edit::Document;
-use unoclp_draw::{Drawing, Ladder, Medium, Names, Report, Style};
+use unoclp_draw::{Drawing, Ladder, Medium, Names, Report, Style, Title};
 use unoclp_draw::{listing, listing_of_blocks, to_picture, to_report, to_svg, to_svg_of_blocks};
 use unoclp_lang::{Diagnostic, Lang, TextLanguage, instructions_to_il, to_st};
 
@@ -130,18 +131,21 @@ pub fn plcopen(source: &Source, body: Body) -> Result<Exported, Vec<Lost>> {
 
 /// A ladder diagram as an SVG document. Its title is the first comment of the file, or the file's name.
 pub fn svg(source: &Source, width: usize, lang: Lang) -> String {
-    let ladder = Ladder::new(source.program().steps());
-    let names = names(&source.map, &ladder);
-    let drawing = draw(&ladder, &names, width, Medium::Paper);
-    to_svg(&drawing, &source.map, &names, &title(lang), &about(source))
+    drawn(source, width, lang, to_svg)
 }
 
 /// The same without its title, for a place that says what it is.
 pub fn picture(source: &Source, width: usize, lang: Lang) -> String {
+    drawn(source, width, lang, to_picture)
+}
+
+type ToSvg = fn(&Drawing<'_>, &SourceMap, &Names, Title<'_>, &str) -> String;
+
+fn drawn(source: &Source, width: usize, lang: Lang, to_svg: ToSvg) -> String {
     let ladder = Ladder::new(source.program().steps());
     let names = names(&source.map, &ladder);
     let drawing = draw(&ladder, &names, width, Medium::Paper);
-    to_picture(&drawing, &source.map, &names, &title(lang), &about(source))
+    to_svg(&drawing, &source.map, &names, &title(lang), &about(source))
 }
 
 /// As [`svg`], of block diagrams.
