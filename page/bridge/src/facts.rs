@@ -96,5 +96,8 @@ pub fn board(given: &mut Given) -> Result<Board, Both> {
     let Some(name) = given.text_if("board")? else {
         return Ok(Board::UNO);
     };
-    Board::named(&name).ok_or_else(|| both(|lang| words::no_such_board(lang, &name)))
+    Board::named(&name).ok_or_else(|| {
+        let known = Board::ALL.map(|board| board.id()).join(", ");
+        both(|lang| words::no_such_board(lang, &name, &known))
+    })
 }

@@ -181,7 +181,9 @@ pub fn altered(
     let text = &analysis.written().text();
     let filled = || Some(to.trim().to_owned()).filter(|to| !to.is_empty());
     let of_row = |change: Change| alter(text, unit, at, &change);
-    let of_element = |change: Touch| touch(text, unit.unwrap_or_default(), at, &change);
+    let own = unit.unwrap_or_default();
+    let of_element = |change: Touch| touch(text, own, at, &change);
+    let drawn = |place: Where| draw(text, own, place, at, to);
     let is = to == "true";
     let after = match what {
         "name" => return renamed(analysis, unit, at, &named(to)?),
@@ -192,12 +194,12 @@ pub fn altered(
         "retained" => retain(text, unit, at, is),
         "add" => add(text, unit, at, &named(to)?, "BOOL"),
         "remove" => remove(text, unit, at),
-        "body" => write_body(text, unit.unwrap_or_default(), to),
-        "before" => draw(text, unit.unwrap_or_default(), Where::Before, at, to),
-        "after" => draw(text, unit.unwrap_or_default(), Where::After, at, to),
-        "beside" => draw(text, unit.unwrap_or_default(), Where::Beside, at, to),
-        "below" => draw(text, unit.unwrap_or_default(), Where::Below, at, to),
-        "erase" => erase(text, unit.unwrap_or_default(), at),
+        "body" => write_body(text, own, to),
+        "before" => drawn(Where::Before),
+        "after" => drawn(Where::After),
+        "beside" => drawn(Where::Beside),
+        "below" => drawn(Where::Below),
+        "erase" => erase(text, own, at),
         "written" => of_element(Touch::Written(filled().ok_or_else(|| wrong("to"))?)),
         "negated" => of_element(Touch::Negated(is)),
         "edge" => of_element(Touch::Edge(to.to_owned())),

@@ -44,7 +44,7 @@ impl From<unoclp_edit::Amiss> for No {
 
 unoclp_words::messages! {
     no_request(why) "the page sent a request that cannot be understood: {why}" "a página enviou um pedido incompreensível: {why}";
-    no_such_board(name) "there is no board {name}: ask for uno, nano or pc" "não existe a placa {name}: peça uno, nano ou pc";
+    no_such_board(name, known) "there is no board {name}; there are {known}" "não existe a placa {name}; existem {known}";
     no_board(session) "there is no session {session}" "não existe a sessão {session}";
     no_version(version) "the page asked about version {version} of the text, which no longer exists; edit the text and try again" "a página perguntou pela versão {version} do texto, que não existe mais; edite o texto e tente de novo";
     too_long(most) "the text is longer than {most} bytes" "o texto passa de {most} bytes";
