@@ -2,6 +2,22 @@
 
 use crate::common::{file, outcome, outcome_in};
 
+/// A motor that seals itself in.
+const SEAL_IN: [&str; 7] = ["0", "827301", "40", "827901", "41", "-827302", "877901"];
+
+/// The codes that a project becomes.
+fn codes(project: &str) -> Vec<String> {
+    let (_, codes, _) = outcome(&["compile", project]);
+    let first = |line: &str| {
+        line.split('/')
+            .next()?
+            .split_whitespace()
+            .next()
+            .map(str::to_owned)
+    };
+    codes.lines().filter_map(first).collect()
+}
+
 #[test]
 fn a_program_is_listed_as_a_project_and_taken_again_by_every_command() {
     let program = file("to-project.il", "LD start\nOR motor\nANDN stop\nST motor\n");
@@ -19,15 +35,7 @@ fn a_program_is_listed_as_a_project_and_taken_again_by_every_command() {
         assert!(out.contains("PLCopen XML"), "{out}");
         let (code, out, _) = outcome(&["list", &project]);
         assert!(code == 0 && out.contains("motor"), "{out}");
-        let codes = outcome(&["compile", &project]).1;
-        let codes: Vec<&str> = codes
-            .lines()
-            .filter_map(|line| line.split('/').next()?.split_whitespace().next())
-            .collect();
-        assert_eq!(
-            codes,
-            ["0", "827301", "40", "827901", "41", "-827302", "877901"]
-        );
+        assert_eq!(codes(&project), SEAL_IN);
     }
 }
 
@@ -110,15 +118,7 @@ fn a_program_is_listed_as_blocks_and_as_a_project_in_fbd() {
         "{project}"
     );
     let project = file("in-blocks.xml", &project);
-    let codes = outcome(&["compile", &project]).1;
-    let codes: Vec<&str> = codes
-        .lines()
-        .filter_map(|line| line.split('/').next()?.split_whitespace().next())
-        .collect();
-    assert_eq!(
-        codes,
-        ["0", "827301", "40", "827901", "41", "-827302", "877901"]
-    );
+    assert_eq!(codes(&project), SEAL_IN);
     // What a block diagram has no form for is named, and stands in LD or a list.
     let program = file("no-blocks.txt", "0\n827301\n7370\n877901\n697868\n");
     let (code, project, errors) = outcome(&["list", &program, "--as", "xml-fbd"]);
