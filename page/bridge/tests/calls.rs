@@ -62,7 +62,7 @@ fn a_request_names_the_board_that_a_text_is_for() {
     assert_eq!(check(json!("uno"))["program"], json!(null));
     let program = &check(json!("pc"))["program"];
     assert_eq!(program["uses"]["inputs"], json!([99]));
-    assert_eq!(program["size"]["stored"][1], 32_768);
+    assert_eq!(program["size"]["all"], 32_768);
     let card = |board: &str| {
         ask(json!({ "ask": "card", "program": program["code"], "state": false, "board": board }))
     };
