@@ -138,7 +138,7 @@ unoclp_words::messages! {
     settings_kept() "the board keeps these settings" "a placa guarda esses ajustes";
     settings_next()
         "the board stored these settings and uses them after its next start"
-        "a placa guardou esses ajustes e os usa a partir do próximo início";
+        "a placa guardou esses ajustes e passa a usá-los na próxima inicialização";
     but_stop(said) "{said}; it is in STOP now" "{said}; agora ela está em STOP";
 }
 

@@ -25,8 +25,8 @@ unoclp_words::messages! {
         "there are more than {most} [[{key}]]; delete some"
         "há mais de {most} [[{key}]]; tire alguns";
     no_such_part(name, known)
-        "there is no part {name}; there is {known}"
-        "não existe o elemento {name}; existe {known}";
+        "there is no part {name}; known parts: {known}"
+        "não existe o elemento {name}; elementos conhecidos: {known}";
     other_kind(name, kind, known)
         "{name} is a {kind}; name a part of kind {known}"
         "{name} é do tipo {kind}; indique um elemento do tipo {known}";

@@ -121,8 +121,8 @@ unoclp_words::messages! {
         "{file}: `{key}` is missing, or is not a string; ask the student to hand in again from the page"
         "{file}: falta `{key}`, ou não é um texto; peça ao aluno que entregue de novo pela página";
     hand_in_other_form(file, form, due)
-        "{file}: `form` is {form}, and this unoclp reads {due}; use the unoclp of the same version as the page"
-        "{file}: `form` é {form}, e este unoclp lê {due}; use o unoclp da mesma versão que a página";
+        "{file}: `form` is {form}, but this unoclp reads {due}; use the same version of unoclp as the page"
+        "{file}: `form` é {form}, mas este unoclp lê {due}; use a mesma versão do unoclp que a página";
     says_passed(file)
         "{file}: the hand-in claims to have passed, but it did not; the table has the valid result"
         "{file}: a entrega diz que passou, e não passou; o que vale é a tabela";
@@ -427,8 +427,8 @@ unoclp_words::messages! {
     comparing_firmware() "reading back" "lendo de volta";
     starting_firmware() "starting" "iniciando";
     flashed(bytes)
-        "written, read back and compared: {bytes} bytes; the board starts it. Its program and its settings did not change"
-        "gravado, lido de volta e comparado: {bytes} bytes; a placa o inicia. O programa e os ajustes dela não mudaram";
+        "written, read back and compared: {bytes} bytes; the board is starting. Its program and settings have not changed"
+        "gravado, lido de volta e comparado: {bytes} bytes; a placa está iniciando. O programa e os ajustes dela não mudaram";
     no_program_yet()
         "No program on the board yet: upload one, or insert a card with PROGRAM.TXT and restart"
         "Nenhum programa na placa ainda: envie um, ou insira um cartão com PROGRAM.TXT e reinicie";

@@ -313,7 +313,7 @@ fn what_is_wrong_is_told_in_portuguese() {
     let cases = [
         (step("expect = { Q5 = 1 }"), ":5: um teste não pode verificar Q5; use Q1 a Q4, M1 a M64, D1 a D98, P1 ou P4"),
         (step("expect = { Q1 = 2 }"), ":5: Q1 deve ser 0 ou 1, ou \"any\""),
-        (step("until = 9"), ":5: não existe aqui a chave `until`; existe `at`, `restart`, `set`, `expect`; ponha as chaves do arquivo inteiro acima do primeiro [[step]]"),
+        (step("until = 9"), ":5: não existe a chave `until` aqui; chaves conhecidas: `at`, `restart`, `set`, `expect`; ponha as chaves do arquivo inteiro acima do primeiro [[step]]"),
         (step("restart = 1"), ":5: este valor não é do tipo que a chave pede"),
         (format!("{HEAD}board = \"due\""), ":3: não existe a placa \"due\"; as placas são uno, nano, mega, pc"),
         (format!("{HEAD}[[step]]"), ":3: falta a chave `at`"),

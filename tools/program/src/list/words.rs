@@ -27,9 +27,9 @@ unoclp_words::messages! {
     so_many_registers() "number of registers" "o número de registradores";
     so_many_steps() "number of steps" "número de passos";
     outputs_of(step) "step {step}: outputs 01 02 03 04" "passo {step}: saídas 01 02 03 04";
-    from_this() "from this …" "disto …";
+    from_this() "input: from this …" "entrada: disto …";
     to_this() "… to this" "… a isto";
-    becomes_from() "becomes from this …" "passa a ir disto …";
+    becomes_from() "output: from this …" "saída: disto …";
     filter_time(value) "time: {value} ms" "tempo: {value} ms";
 }
 
