@@ -68,7 +68,7 @@ unoclp_words::messages! {
         "um histórico em arquivo não tem `{key}`; tire essa chave";
     one_file(file)
         "history and journal both use {file}; give each its own file"
-        "o histórico e o diário estão os dois em {file}; dê a cada um o seu arquivo";
+        "o histórico e o diário usam o mesmo arquivo, {file}; dê a cada um o seu arquivo";
     no_size(given)
         "{given} is not a size from 1MB to 1000GB; write \"256MB\" or \"4GB\""
         "{given} não é um tamanho de 1MB a 1000GB; escreva \"256MB\" ou \"4GB\"";

@@ -30,8 +30,8 @@ unoclp_words::messages! {
         "{told}; a scenario is a file in TOML (.toml)"
         "{told}; um cenário é um arquivo em TOML (.toml)";
     too_many_scans(scans, most)
-        "this makes {scans} scans, but all cases of a file together may make {most}; end it earlier (`until`), or make `scan_ms` longer"
-        "isto dá {scans} varreduras, mas os casos de um arquivo podem somar {most}; termine antes (`until`) ou aumente `scan_ms`";
+        "this would take {scans} scans, but all cases of a file together may make {most}; end it earlier (`until`), or make `scan_ms` longer"
+        "isto levaria {scans} varreduras, mas os casos de um arquivo podem somar {most}; termine antes (`until`) ou aumente `scan_ms`";
     program(name, why) "the program {name} {why}" "o programa {name} {why}";
     has_errors() "has errors; `unoclp check` shows them" "tem erros; `unoclp check` os mostra";
     no_program()
@@ -53,8 +53,8 @@ unoclp_words::messages! {
         "`seeds` are further random seeds of a machine; name one with `plant`"
         "`seeds` são outras sementes aleatórias de uma máquina; indique uma com `plant`";
     many_seeds(most)
-        "`seeds` has more than {most}; leave some out"
-        "`seeds` tem mais de {most}; tire alguns";
+        "`seeds` has more than {most} numbers; remove some"
+        "`seeds` tem mais de {most} números; tire alguns";
     hidden_chance(seed, why)
         "with hidden random values ({seed}): {why}"
         "com valores aleatórios ocultos ({seed}): {why}";
