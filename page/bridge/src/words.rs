@@ -72,7 +72,7 @@ unoclp_words::messages! {
     fault_leaking() "leaks" "com vazamento";
     fault_bouncing() "bounces" "trepida";
     own_contacts() "real contacts drive the board's inputs; force the input instead" "contatos reais comandam as entradas da placa; force a entrada";
-    no_settings() "a program on this computer has no settings" "um programa neste computador não tem configurações";
+    no_settings() "a program on this computer has no settings" "um programa neste computador não tem ajustes";
     own_program() "this computer runs the program that is open in the page" "este computador executa o programa aberto na página";
     none_runs() "no program runs here; press Run" "nenhum programa está em execução aqui; aperte Executar";
     none_given() "no program has been given yet; press Run" "nenhum programa foi enviado ainda; aperte Executar";

@@ -386,8 +386,8 @@ unoclp_words::messages! {
         "{database} already has samples of {point}, so nothing was moved; use an empty database"
         "{database} já tem amostras de {point}, por isso nada foi movido; use um banco vazio";
     moved(file, points, rows, database)
-        "{file}: {points} points with {rows} rows are in {database} too; start unoclp serve again"
-        "{file}: {points} pontos com {rows} linhas estão também em {database}; inicie unoclp serve de novo";
+        "{file}: copied {rows} rows of {points} points to {database}; start unoclp serve again"
+        "{file}: {rows} linhas de {points} pontos foram copiadas para {database}; inicie o unoclp serve de novo";
     alarm_came(name, text) "alarm {name}: {text}" "alarme {name}: {text}";
     alarm_gone(name) "alarm {name}: gone" "alarme {name}: passou";
     alarm_acknowledged(name, who)
