@@ -60,7 +60,7 @@ unoclp_words::messages! {
         "com valores aleatórios ocultos ({seed}): {why}";
     two_programs()
         "`program` and `text` both give a program; keep one of them"
-        "`program` e `text` dão cada um um programa; deixe só um dos dois";
+        "tanto `program` quanto `text` indicam um programa; deixe só um dos dois";
     long_text(most) "`text` is longer than {most} bytes" "`text` passa de {most} bytes";
     fault_and_steps()
         "a program with a `fault` never runs; remove `fault`, or the steps and `until`"
