@@ -49,6 +49,7 @@ unoclp_words::messages! {
     no_version(version) "the page asked about version {version} of the text, which no longer exists; edit the text and try again" "a página perguntou pela versão {version} do texto, que não existe mais; edite o texto e tente de novo";
     too_long(most) "the text is longer than {most} bytes" "o texto passa de {most} bytes";
     faulty() "the program has errors; see the problems" "o programa tem erros; veja os problemas";
+    unfit(board, line, why) "the {board} cannot run this program: line {line}: {why}; nothing was sent" "o {board} não executa este programa: linha {line}: {why}; nada foi enviado";
     no_scenario(line, why) "the check itself has an error in line {line}: {why}" "a própria verificação tem um erro na linha {line}: {why}";
     no_card(why) "the card cannot be made: {why}" "não é possível criar o cartão: {why}";
     no_machine() "this file is not a machine" "este arquivo não é uma máquina";

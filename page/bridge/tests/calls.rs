@@ -454,6 +454,44 @@ fn nothing_that_is_asked_panics() {
     told(json!({ "ask": "step", "board": board, "now": 9e9, "came": [] }));
 }
 
+/// The page has checked it for a Mega; the board at the port is an UNO.
+#[test]
+fn a_program_that_the_board_at_hand_lacks_points_for_is_not_sent() {
+    let mut boards = Boards::default();
+    let mut told = |request: Value| told(&mut boards, request);
+    let session = told(json!({ "ask": "open", "reset": false }))["ok"].clone();
+    for (name, text) in [
+        ("far.il", "LD I1\nST Q1\nLD I24\nST Q16\n"),
+        ("far.txt", "0\n827301\n827324\n877901\n"),
+    ] {
+        let mut upload = |board: &str| {
+            let order = json!({ "do": "upload", "name": name, "text": text, "board": board });
+            told(json!({ "ask": "order", "board": session, "order": order }))
+        };
+        let uno = upload("uno");
+        for (lang, parts) in [
+            (
+                "en",
+                [
+                    "the UNO cannot run this program: line 3: ",
+                    "; nothing was sent",
+                ],
+            ),
+            (
+                "pt",
+                [
+                    "o UNO não executa este programa: linha 3: ",
+                    "; nada foi enviado",
+                ],
+            ),
+        ] {
+            let said = uno["error"][lang].as_str().unwrap();
+            assert!(parts.iter().all(|part| said.contains(part)), "{said}");
+        }
+        assert!(upload("mega")["ok"].is_number());
+    }
+}
+
 #[test]
 fn firmware_that_is_none_is_refused_and_a_board_that_is_silent_is_told() {
     let mut boards = Boards::default();

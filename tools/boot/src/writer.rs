@@ -43,8 +43,10 @@ use crate::stage::Stage;
 use std::time::Duration;
 use unoclp_words::Lang;
 
-/// How often the board is reset until its boot loader answers; then once more, to ask for one of the other kind.
+/// How often the board is reset until its boot loader answers, and says which chip it is on.
 const RESETS: u32 = 3;
+/// So often then, to ask for one of the other kind.
+const RESETS_OF_STRANGER: u32 = 2;
 /// How often the boot loader is called after each reset. It waits for a second.
 const CALLS: u32 = 2;
 /// From a reset to the first call.
@@ -215,7 +217,7 @@ impl Writer {
                     }
                     (self.protocol, self.script) = stranger(self.model.chip());
                     self.is_stranger = true;
-                    self.resets = RESETS - 1;
+                    self.resets = RESETS - RESETS_OF_STRANGER;
                 }
                 State::Reset => {
                     self.resets += 1;
@@ -266,11 +268,21 @@ impl Writer {
                     return Ok(now + ANSWER);
                 }
                 State::Asked(until) => {
-                    if !self.is_answered(now >= until)? {
-                        return Ok(until);
+                    match self.is_answered(now >= until) {
+                        Ok(false) => return Ok(until),
+                        Ok(true) => {
+                            self.over += 1;
+                            self.state = State::Ready;
+                        }
+                        // A busy computer misses the second in which the boot loader waits. Nothing is written yet.
+                        Err(Trouble::BrokenOff | Trouble::Garbled)
+                            if self.stage() == Stage::Meeting && self.resets < RESETS =>
+                        {
+                            self.over = 0;
+                            self.state = State::Reset;
+                        }
+                        Err(trouble) => return Err(self.fail(trouble)),
                     }
-                    self.over += 1;
-                    self.state = State::Ready;
                 }
             }
         }
@@ -283,7 +295,7 @@ impl Writer {
     }
 
     /// Whether the answer to the exchange has come, and is right.
-    fn is_answered(&mut self, is_late: bool) -> Result<bool, Result<(), Failure>> {
+    fn is_answered(&mut self, is_late: bool) -> Result<bool, Trouble> {
         let Some(exchange) = self.script.get(self.over) else {
             return Ok(true);
         };
@@ -292,8 +304,8 @@ impl Writer {
         let says = match exchange.answer.read(&self.came) {
             Came::Less if !is_late => return Ok(false),
             _ if is_last => return Ok(true),
-            Came::Less => return Err(self.fail(Trouble::BrokenOff)),
-            Came::Garbled => return Err(self.fail(Trouble::Garbled)),
+            Came::Less => return Err(Trouble::BrokenOff),
+            Came::Garbled => return Err(Trouble::Garbled),
             Came::All(says) => says,
         };
         let trouble = match &exchange.subject {
@@ -312,7 +324,7 @@ impl Writer {
             Subject::Flash(address, page) => differs(*address, page, says),
         };
         match trouble {
-            Some(trouble) => Err(self.fail(trouble)),
+            Some(trouble) => Err(trouble),
             None => Ok(true),
         }
     }

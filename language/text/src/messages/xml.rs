@@ -203,6 +203,11 @@ macro_rules! xml_rows {
         "draw it with contacts, coils and the blocks listed in docs/plcopen.md"
         "degrau {0}: um diagrama de blocos não consegue expressar `{1}`; o projeto está em LD ou Lista de Instruções"
         "desenhe com contatos, bobinas e os blocos listados em docs/plcopen.pt-BR.md";
+    545 XmlOutput Error
+        "{0}: `{1}` has no output `{2}`"
+        "wire another output"
+        "{0}: `{1}` não tem a saída `{2}`"
+        "ligue o fio a outra saída";
         }
     };
 }

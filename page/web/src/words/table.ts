@@ -76,7 +76,7 @@ export const TABLE = {
   adaptLeft: ["There is no free point left for {points}.", "Não há ponto livre para {points}."],
   programBlank: ["Empty program", "Programa vazio"],
   blankRun: ["There is no program yet: draw one, or write one.", "Ainda não há programa: desenhe um ou escreva um."],
-  machineNone: ["Buttons and lamps are under the program. To control a machine here, choose one under Learn, Machines.", "Botões e lâmpadas ficam sob o programa. Para controlar uma máquina aqui, escolha-a em Aprender, Máquinas."],
+  machineNone: ["Buttons and lamps are under the program. Your program can also control a machine, which you see here.", "Botões e lâmpadas ficam sob o programa. Seu programa também pode controlar uma máquina, que você vê aqui."],
   problemOne: ["1 problem", "1 problema"],
   problemMany: ["{n} problems", "{n} problemas"],
   drawingLacks: ["Drawing: {n} still to complete", "Desenho: falta completar {n}"],

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, pick, run, select, still, type, unfold } from "./harness.mjs";
+import { Lab, lamp, pick, run, select, still, type, unfold } from "./harness.mjs";
 import { Cable } from "./port.mjs";
 import { Served } from "./served.mjs";
 
@@ -56,11 +56,25 @@ async function noted(page, text) {
   return said;
 }
 
+/** Puts the firmware on the board, and waits for a note. A busy computer may miss the second in which a boot loader waits for
+ * the next page, which is told as FW-24: then one tries again.
+ * @param {import("playwright-core").Page} page @param {RegExp} words @param {() => Promise<void>} [ready] before each try */
+async function puts(page, words, ready) {
+  let said = "";
+  for (let tries = 0; tries < 3 && !words.test(said); tries++) {
+    await ready?.();
+    await pick(page, "#put-firmware");
+    said = await noted(page, new RegExp(`FW-|${words.source}`));
+  }
+  assert.match(said, words);
+  return said;
+}
+
 test("a board out of its box gets the firmware, runs a program live, and comes back where it was unplugged", async () => {
   const { page, cable, end } = await boxed("optiboot", false);
-  await pick(page, "#put-firmware");
-  await page.locator("#desk-about", { hasText: /^Firmware: [1-9]\d? %$/ }).waitFor();
-  await noted(page, "The firmware was written and verified.");
+  const share = page.locator("#desk-about", { hasText: /^Firmware: [1-9]\d? %$/ }).waitFor();
+  await puts(page, /The firmware was written and verified\./);
+  await share;
   await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
   await run(page);
   await holding(page, 1, async () => {
@@ -87,6 +101,21 @@ test("a board out of its box gets the firmware, runs a program live, and comes b
   await end();
 });
 
+test("a Mega out of its box gets its firmware, and runs a program with its far points", async () => {
+  const { page, end } = await boxed("mega", false);
+  await select(page, "#model", "mega");
+  await puts(page, /The firmware was written and verified\./);
+  await page.locator("#desk-about", { hasText: "Connected: unoclp Mega" }).waitFor();
+  await select(page, "#for-board", "mega");
+  await type(page, "LD I24\nST Q16\n");
+  await page.locator("#problem-count.good").waitFor();
+  await run(page);
+  await lamp(page, 16, false);
+  await holding(page, 24, () => lamp(page, 16, true));
+  await lamp(page, 16, false);
+  await end();
+});
+
 test("what goes wrong on the way is told with what to do, and the next try works", async () => {
   const { page, cable, end } = await boxed("optiboot", true);
   // From the byte on that stands first, counted from the first page that is written: a busy computer asks more often before.
@@ -99,23 +128,25 @@ test("what goes wrong on the way is told with what to do, and the next try works
   ];
   for (const [from, where, what, english, portuguese] of troubles) {
     for (const [speak, words, closed, done] of /** @type {const} */ ([
-      ["en", english, "The connection to the board is lost", "written and verified"],
-      ["pt", portuguese, "A conexão com a placa caiu", "gravado e conferido"],
+      ["en", english, "The connection to the board is lost", /written and verified/],
+      ["pt", portuguese, "A conexão com a placa caiu", /gravado e conferido/],
     ])) {
       await select(page, "#speak", speak);
-      let left = from;
-      let writes = false;
-      cable.fate = (way, byte) => {
-        writes ||= way === "to the board" && byte === WRITE_PAGE;
-        return writes && way === where && left-- <= 0 ? what(byte) : byte;
+      const isIn = async () => {
+        if (!cable.isIn) await noted(page, closed);
+        cable.plugIn();
+        if ((await page.locator("#connect [data-say=disconnect]").count()) === 0) await pick(page, "#connect");
       };
-      await pick(page, "#put-firmware");
-      assert.match(await noted(page, "FW-"), words);
-      if (!cable.isIn) await noted(page, closed);
-      cable.plugIn();
-      if ((await page.locator("#connect [data-say=disconnect]").count()) === 0) await pick(page, "#connect");
-      await pick(page, "#put-firmware");
-      await noted(page, done);
+      await puts(page, words, async () => {
+        await isIn();
+        let left = from;
+        let writes = false;
+        cable.fate = (way, byte) => {
+          writes ||= way === "to the board" && byte === WRITE_PAGE;
+          return writes && way === where && left-- <= 0 ? what(byte) : byte;
+        };
+      });
+      await puts(page, done, isIn);
     }
   }
   await end();
@@ -127,8 +158,7 @@ test("a Nano of before 2018 is another choice, which the page names where the fi
   assert.match(await noted(page, "FW-2"), /FW-2[12]: .*nano-old/);
   await page.locator("#put-firmware:enabled").waitFor({ state: "attached" });
   await select(page, "#model", "nano-old");
-  await pick(page, "#put-firmware");
-  await noted(page, "written and verified");
+  await puts(page, /written and verified/);
   // What was written does not speak.
   await page.locator("#desk-about", { hasNotText: "%" }).waitFor({ state: "attached" });
   await end();
@@ -146,13 +176,11 @@ for (const { box, own, other, signature } of [
     ])) {
       await select(page, "#speak", speak);
       await select(page, "#model", other);
-      await pick(page, "#put-firmware");
-      const said = await noted(page, "FW-23");
+      const said = await puts(page, /FW-23/);
       for (const part of [signature, runs, kept]) assert.ok(said.includes(part), said);
     }
     await select(page, "#model", own);
-    await pick(page, "#put-firmware");
-    await noted(page, "gravado e conferido");
+    await puts(page, /gravado e conferido/);
     await end();
   });
 }
