@@ -312,7 +312,11 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             "`bound` takes another kind",
         ),
         (granted("x"), 8, "x names no point; write board and point"),
-        (granted("y.valve"), 8, "there is no board y; known boards: x"),
+        (
+            granted("y.valve"),
+            8,
+            "there is no board y; known boards: x",
+        ),
         (
             granted("x.flow"),
             8,
