@@ -315,7 +315,7 @@ fn what_is_wrong_is_told_in_portuguese() {
         (step("expect = { Q1 = 2 }"), ":5: Q1 deve ser 0 ou 1, ou \"any\""),
         (step("until = 9"), ":5: não existe a chave `until` aqui; chaves conhecidas: `at`, `restart`, `set`, `expect`; ponha as chaves do arquivo inteiro acima do primeiro [[step]]"),
         (step("restart = 1"), ":5: este valor não é do tipo que a chave pede"),
-        (format!("{HEAD}board = \"due\""), ":3: não existe a placa \"due\"; as placas são uno, nano, mega, pc"),
+        (format!("{HEAD}board = \"due\""), ":3: não existe a placa \"due\"; placas conhecidas: uno, nano, mega, pc"),
         (format!("{HEAD}[[step]]"), ":3: falta a chave `at`"),
         (format!("{HEAD}about = \"\""), ":3: esta chave aparece duas vezes"),
         (format!("{HEAD}[["), ":3: isto não é TOML válido; confira aspas, vírgulas e colchetes"),
