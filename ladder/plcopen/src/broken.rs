@@ -41,11 +41,9 @@ pub(crate) fn reason(error: &Error) -> Word {
             "um elemento tem duas vezes o atributo",
             name,
         ),
-        Error::UnknownNamespace(prefix, _) => named(
-            "an undeclared prefix",
-            "um prefixo não declarado",
-            prefix,
-        ),
+        Error::UnknownNamespace(prefix, _) => {
+            named("an undeclared prefix", "um prefixo não declarado", prefix)
+        }
         Error::DuplicatedNamespace(prefix, _) => named(
             "an element declares twice the prefix",
             "um elemento declara duas vezes o prefixo",

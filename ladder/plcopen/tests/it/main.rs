@@ -9,6 +9,7 @@ mod cases;
 mod charts;
 mod diagrams;
 mod edited;
+mod grown;
 mod no_such_points;
 mod outlined;
 mod round_trip;

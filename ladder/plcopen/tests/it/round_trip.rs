@@ -9,7 +9,7 @@ use unoclp_lang::Code;
 use unoclp_plcopen::{Exported, export, export_blocks, import};
 
 /// The document of a program file; none where a board refuses it.
-fn document(file: &[u8]) -> Option<Document> {
+pub(crate) fn document(file: &[u8]) -> Option<Document> {
     let mut memory = vec![0; usize::from(Board::UNO.linked_bytes)];
     let mut loader = Loader::new(&mut memory, Board::UNO);
     file.iter().try_for_each(|&byte| loader.push(byte)).ok()?;
