@@ -10,6 +10,7 @@ mod charts;
 mod diagrams;
 mod edited;
 mod grown;
+mod mixed;
 mod no_such_points;
 mod outlined;
 mod round_trip;
