@@ -5,7 +5,7 @@ use super::sheet::{Sheet, Sources};
 use crate::bodies::body;
 use crate::edges::{removed, spliced};
 use crate::found::Found;
-use crate::xml::{self, all, within};
+use crate::xml::{self, all};
 use roxmltree::Node;
 
 /// A project without an element of a drawn unit; what led to it leads on, but where it was a branch beside others. Values that
@@ -37,15 +37,11 @@ pub fn erase(text: &str, unit: &str, at: &str) -> Option<String> {
         });
         led.extend(before.iter().map(|own| own.from));
     }
+    let is_own = |wire: &Node<'_, '_>| wire.ancestors().any(|of| of == node);
     let is_lonely = |value: &Node<'_, '_>| {
         let id = value.attribute("localId").unwrap_or_default();
-        let readers = sheet.readers(id);
-        value.tag_name().name() == "inVariable"
-            && !readers.is_empty()
-            && readers
-                .iter()
-                .all(|wire| within(node, "connection").any(|own| own == *wire))
-            && !led.contains(&id)
+        let is_value = value.tag_name().name() == "inVariable" && sources.leads(id, at);
+        is_value && !led.contains(&id) && sheet.readers(id).iter().all(is_own)
     };
     let values = sheet.body.children().filter(Node::is_element);
     pieces.extend(values.filter(is_lonely).map(|value| removed(text, value)));

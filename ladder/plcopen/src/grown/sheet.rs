@@ -112,6 +112,11 @@ impl<'a> Sources<'a> {
         Sources(elements.collect())
     }
 
+    /// Whether a wire leads from one element to the other.
+    pub(super) fn leads(&self, from: &str, to: &str) -> bool {
+        self.0.get(to).is_some_and(|all| all.contains(&from))
+    }
+
     /// All that stands before one of these elements.
     pub(super) fn before(&self, elements: impl Iterator<Item = &'a str>) -> HashSet<&'a str> {
         let mut waiting: Vec<&str> = elements.collect();
