@@ -9,7 +9,7 @@ use unoclp_plcopen::{Imported, export_text, import};
 use unoclp_testing::chart::sketch;
 
 /// A board that any chart of a test fits on.
-fn large() -> Board {
+pub(crate) fn large() -> Board {
     Board {
         stored_bytes: 60_000,
         linked_bytes: 60_000,
@@ -25,7 +25,7 @@ fn told(made: &Imported) -> Vec<String> {
 }
 
 /// Tells where the project of a text makes other codes than the text; whether it compiles at all.
-fn comes_back(text: &str, board: Board) -> bool {
+pub(crate) fn comes_back(text: &str, board: Board) -> bool {
     let own = compile_text(text, TextLanguage::St, board);
     let Some((own, _)) = own.program else {
         return false;

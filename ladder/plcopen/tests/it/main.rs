@@ -9,6 +9,8 @@ mod cases;
 mod charts;
 mod diagrams;
 mod edited;
+mod grown;
+mod mixed;
 mod no_such_points;
 mod outlined;
 mod round_trip;

@@ -174,3 +174,21 @@ fn a_project_of_100_megabytes_is_refused_in_words() {
     }
     std::fs::remove_file(path).unwrap();
 }
+
+#[test]
+fn what_no_ladder_expresses_is_exported_as_it_is_written() {
+    let text = "FUNCTION Any : BOOL\nVAR_INPUT x, y : BOOL; END_VAR\nIF x THEN Any := TRUE; ELSE Any := y; END_IF;\nEND_FUNCTION\nPROGRAM main\nVAR a AT %IX1 : BOOL; b AT %IX2 : BOOL; q AT %QX1 : BOOL; r : REAL; END_VAR\nr := r + 0.5;\nq := Any(a, b) AND r > 3.0;\nEND_PROGRAM\n";
+    let program = file("own-words.st", text);
+    let (code, project, errors) = outcome(&["list", &program, "--as", "xml"]);
+    assert_eq!((code, &*errors), (0, ""));
+    assert!(
+        project.contains("pouType=\"function\"") && !project.contains("<IL>"),
+        "{project}"
+    );
+    let again = file("own-words.xml", &project);
+    assert_eq!(codes(&again), codes(&program));
+    // And so is a project.
+    let (code, same, errors) = outcome(&["list", &again, "--as", "xml"]);
+    assert_eq!((code, &*errors), (0, ""));
+    assert_eq!(same, project);
+}
