@@ -51,7 +51,7 @@ const fn of_languages(packages: &'static [&'static str]) -> [Tests; 2] {
     // One program of tests: to build others takes longer than to run them.
     let cases = Tests {
         targets: &["--test=it"],
-        words: &["cases", "sizes", "typed_slips", "random_typed"],
+        words: &["cases", "sizes", "variables", "typed_slips", "random_typed"],
         percent: 30,
         ..few(&["unoclp-lang"])
     };
