@@ -72,6 +72,13 @@ pub fn problems(text: &str, refused: &Refused) -> (Vec<Problem>, usize) {
     }
 }
 
+/// The first error of such a text: its line, and what it says.
+pub fn first_error(text: &str, refused: &Refused) -> Option<(u32, Both)> {
+    let (problems, _) = problems(text, refused);
+    let first = problems.into_iter().find(|one| one.severity == "error")?;
+    Some((first.line, first.message))
+}
+
 /// What is worth a second look in a program, and how much more of it there is.
 pub fn warnings(source: &Source) -> (Vec<Problem>, usize) {
     match source.language.warnings() {

@@ -62,7 +62,7 @@ fn a_request_names_the_board_that_a_text_is_for() {
     assert_eq!(check(json!("uno"))["program"], json!(null));
     let program = &check(json!("pc"))["program"];
     assert_eq!(program["uses"]["inputs"], json!([99]));
-    assert_eq!(program["size"]["stored"][1], 32_768);
+    assert_eq!(program["size"]["all"], 32_768);
     let card = |board: &str| {
         ask(json!({ "ask": "card", "program": program["code"], "state": false, "board": board }))
     };
@@ -454,6 +454,44 @@ fn nothing_that_is_asked_panics() {
     told(json!({ "ask": "step", "board": board, "now": 9e9, "came": [] }));
 }
 
+/// The page has checked it for a Mega; the board at the port is an UNO.
+#[test]
+fn a_program_that_the_board_at_hand_lacks_points_for_is_not_sent() {
+    let mut boards = Boards::default();
+    let mut told = |request: Value| told(&mut boards, request);
+    let session = told(json!({ "ask": "open", "reset": false }))["ok"].clone();
+    for (name, text) in [
+        ("far.il", "LD I1\nST Q1\nLD I24\nST Q16\n"),
+        ("far.txt", "0\n827301\n827324\n877901\n"),
+    ] {
+        let mut upload = |board: &str| {
+            let order = json!({ "do": "upload", "name": name, "text": text, "board": board });
+            told(json!({ "ask": "order", "board": session, "order": order }))
+        };
+        let uno = upload("uno");
+        for (lang, parts) in [
+            (
+                "en",
+                [
+                    "the UNO cannot run this program: line 3: ",
+                    "; nothing was sent",
+                ],
+            ),
+            (
+                "pt",
+                [
+                    "o UNO não executa este programa: linha 3: ",
+                    "; nada foi enviado",
+                ],
+            ),
+        ] {
+            let said = uno["error"][lang].as_str().unwrap();
+            assert!(parts.iter().all(|part| said.contains(part)), "{said}");
+        }
+        assert!(upload("mega")["ok"].is_number());
+    }
+}
+
 #[test]
 fn firmware_that_is_none_is_refused_and_a_board_that_is_silent_is_told() {
     let mut boards = Boards::default();
@@ -651,6 +689,7 @@ fn a_mistake_in_a_form_is_told_at_its_field_with_what_could_stand_there() {
         ("ton", "line0", "0,5 s", Ok("T1, 500")),
         ("ton", "line0", "soon", Err(("line0", ""))),
         ("ctu", "line0", "4s", Err(("line0", ""))),
+        ("ctu", "point", "parts", Err(("point", "C1 parts"))),
     ];
     for (what, key, value, wanted) in cases {
         // A timer that is read has to be there.
@@ -693,6 +732,24 @@ fn a_mistake_in_a_form_is_told_at_its_field_with_what_could_stand_there() {
             }
         }
     }
+}
+
+/// It resets or loads one that counts: an output would make another coil of it.
+#[test]
+fn the_coil_of_a_counter_is_offered_no_output() {
+    let point = |value| json!({ "do": "edit", "fields": [{ "key": "point", "value": value }] });
+    let (_, mut boards) = drawn(
+        "",
+        &json!([
+            { "do": "insert", "what": "ctu", "place": "behind" }, point("C1"),
+            { "do": "insertRung", "along": "forth" },
+            { "do": "insert", "what": "reset", "place": "behind" }, point("C1"),
+        ]),
+    );
+    let request = json!({ "ask": "edit", "act": point("parts"), "width": 64 });
+    let told = told(&mut boards, request);
+    assert_eq!(told["error"]["field"], "point", "{told}");
+    assert_eq!(told["error"]["offers"], Value::Null, "{told}");
 }
 
 #[test]

@@ -396,7 +396,7 @@ fn what_is_wrong_is_told_by_the_names_of_steps_and_transitions() {
         ),
         (
             two(&st("a"), &action(4, 3, "", &inline("IL", "JMP x"))),
-            "XML-543 `Main`, action `S2_does`: `JMP` in IL cannot be imported as the body of an action",
+            "XML-543 `Main`, action `S2_does`: a jump to `x`, which is no label, cannot be imported as the body of an action",
         ),
         (
             two(&st("a"), &action(4, 3, "", "")),

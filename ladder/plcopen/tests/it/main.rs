@@ -3,6 +3,7 @@
 mod adapted;
 mod alike;
 mod any_text;
+mod bad;
 mod bodies;
 mod cases;
 mod charts;

@@ -4,13 +4,15 @@
 use super::wanted::Wanted;
 use crate::ask::{OrNull, said};
 use crate::program::{known, source};
-use crate::words::{No, both};
+use crate::tell::first_error;
+use crate::words::{self, Both, No, both};
 use std::rc::Rc;
 use unoclp_client::map::Command;
 use unoclp_client::upload::Upload;
 use unoclp_client::watch::Side;
 use unoclp_client::{Order, words as told};
 use unoclp_point::Address;
+use unoclp_program::{Lang, Source};
 use unoclp_workspace::{Analysis, Version, Workspace};
 
 /// What a page orders.
@@ -59,8 +61,8 @@ said! {
     };
     /// Puts this program on the board, and watches it from then on. It runs then, unless it stays in STOP.
     "upload" { version: Version, stay: Option<bool> } => {
-        let text = program(version, workspace)?;
-        let source = source(&text)?;
+        let text = known(version, workspace)?;
+        let source = fitting(&text)?;
         let mut upload = Upload::of(source.program(), &source.code);
         upload.stays = stay.unwrap_or_default();
         Ordered::Board(Order::Upload(Box::new(upload)), Some(text))
@@ -77,6 +79,22 @@ fn command(command: Command) -> Ordered {
     Ordered::Board(Order::Command(command), None)
 }
 
+/// The program of a text that is to be put on its board; where there is none, the first thing that is wrong there: the page may
+/// have checked it for another board.
+fn fitting(text: &Analysis) -> Result<&Source, No> {
+    if let Some(Err(refused)) = text.check()
+        && let Some((line, message)) = first_error(&text.written().text(), refused)
+    {
+        let board = text.written().board.name;
+        let told = Both {
+            en: words::unfit(Lang::En, board, line, &message.en),
+            pt: words::unfit(Lang::Pt, board, line, &message.pt),
+        };
+        return Err(told.into());
+    }
+    source(text)
+}
+
 /// A text that is to be on a board.
 fn program(version: Version, workspace: &mut Workspace) -> Result<Rc<Analysis>, No> {
     let text = known(version, workspace)?;
@@ -86,7 +104,6 @@ fn program(version: Version, workspace: &mut Workspace) -> Result<Rc<Analysis>, 
 
 #[cfg(feature = "full")]
 fn firmware(hex: &str, model: &str) -> Result<Ordered, No> {
-    use crate::words;
     use unoclp_boot::{Image, Model};
     let model = Model::named(model).ok_or_else(|| both(|lang| words::no_model(lang, model)))?;
     let image = Image::read(hex.as_bytes(), model);

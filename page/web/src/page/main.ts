@@ -135,7 +135,8 @@ async function load(): Promise<void> {
   const machine = new MachineArea(bench, (facts) => panel.fold(facts !== null), (file, into) => void judged().then((part) => part?.judge(remote, program, file, into)), forBoard, program.board);
   const start = startControl(bench, program, forBoard, tabs, () => view.goDraw());
   const desk = new Desk(bench);
-  const panel = new Panel(byId("board"), bench, slot, desk.about, machine.root);
+  const showMachines = (): void => void shown().then((gallery) => gallery?.show());
+  const panel = new Panel(byId("board"), bench, slot, desk.about, machine.root, showMachines);
   byId("running").append(...start.controls, statusOf(bench, program), panel.time.speed);
   const onBoard = new OnBoard(bench, program, remote);
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
@@ -148,7 +149,7 @@ async function load(): Promise<void> {
   menus(byId("menus"), {
     slow: () => void slow().then((part) => part?.open()),
     program, bench, open, take, slot, remote, tabs, learn,
-    showMachines: () => void shown().then((gallery) => gallery?.show()),
+    showMachines,
     showExamples: examples,
     goTo,
     showPrograms: () => void import("./programs").then(({ showPrograms }) => showPrograms(program, remote, goTo, open)),

@@ -42,6 +42,7 @@ export class Panel {
     private readonly slot: CardSlot,
     desk: HTMLElement,
     machine: HTMLElement,
+    showMachines: () => void,
   ) {
     this.buttons = new Buttons((input, pressed, closed) => this.press(input, pressed, closed));
     this.contacts = this.inputs();
@@ -49,7 +50,8 @@ export class Panel {
     this.time = this.clock();
     const lamps = h("div", { class: "card lights" }, h("h3", {}, h("span", { "data-say": "lamps" })), this.lamps.root);
     const docked = h("div", { class: "docked" }, this.contacts, lamps);
-    const none = h("p", { class: "empty no-machine", "data-say": "machineNone" });
+    const none = h("div", { class: "no-machine" },
+      h("p", { class: "empty", "data-say": "machineNone" }), h("button", { type: "button", id: "choose-machine", "data-say": "machines", click: showMachines }));
     root.append(machine, none, h("div", {}, docked), this.knobs, this.time.pace, ...Object.values(this.cards), desk);
     layOut(docked);
     for (const card of CARDS) this.cards[card].hidden = !(kept(SHOWN) ?? "").split(" ").includes(card);

@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { Lab, findings, pick, run, state, type } from "./harness.mjs";
+import { Lab, findings, has, pick, run, state, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -87,6 +87,8 @@ test("each machine is solved by its model solution, and each of its rules is see
     assert.deepEqual([...named].sort(), rules, plant);
     const judge = async (/** @type {string} */ text) => {
       await type(page, text, `${plant}.st`);
+      // The text before had no problems either.
+      await has(page, text);
       await page.locator("#problem-count:not(.bad)").waitFor();
       await page.click("#machine-judge");
     };

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { fingers, holding, mouse } from "./hands.mjs";
-import { Lab, choose, clean, keptText, lamp, pick, run, type } from "./harness.mjs";
+import { Lab, choose, clean, has, keptText, lamp, pick, run, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @type {Lab} */
@@ -33,11 +33,6 @@ async function begun(options) {
 
 /** A part of the chart. @param {Page} page @param {string} id */
 const part = (page, id, state = "") => page.locator(`#chart-sheet ${state}[data-id="${id}"]`);
-
-/** Waits until the program has this. @param {Page} page @param {string} text */
-async function has(page, text) {
-  await page.waitForFunction((text) => JSON.parse(localStorage.getItem(`program/${sessionStorage.getItem("place")}`) ?? "{}").text?.includes(text), text);
-}
 
 /** What runs is what was drawn, and chart and ladder show it. @param {Page} page */
 async function fills(page, hand = mouse) {
@@ -160,7 +155,7 @@ test("selections, simultaneous sequences, jumps and qualifiers, in either look",
   await clean(page, "chart");
   await page.reload();
   await part(page, "s3").waitFor();
-  assert.ok((await page.locator('#chart-sheet [data-id="a3.0"]').textContent())?.includes("2s"));
+  await page.locator('#chart-sheet [data-id="a3.0"]', { hasText: "2s" }).waitFor();
   // What is written in the text is a step of the chart too.
   await page.click("#view-text");
   await type(page, BARE);
@@ -173,7 +168,7 @@ test("selections, simultaneous sequences, jumps and qualifiers, in either look",
   await mouse.write(page, "#chart-condition", "nobody");
   await part(page, "t0", ".wrong").waitFor();
   await page.locator("#chart-form .error", { hasText: "nobody" }).waitFor();
-  assert.equal(await page.locator("#chart-sheet .wrong").count(), 1);
+  await page.waitForFunction(() => document.querySelectorAll("#chart-sheet .wrong").length === 1);
   await page.focus("#chart-sheet");
   await page.keyboard.press("Control+z");
   await part(page, "t0", ":not(.wrong)").waitFor();

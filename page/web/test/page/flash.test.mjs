@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, pick, run, select, still, type, unfold } from "./harness.mjs";
+import { Lab, lamp, pick, run, select, still, type, unfold } from "./harness.mjs";
 import { Cable } from "./port.mjs";
 import { Served } from "./served.mjs";
 
@@ -98,6 +98,21 @@ test("a board out of its box gets the firmware, runs a program live, and comes b
   await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
   await run(page);
   await page.locator('.ladder.live .element[data-point="Q3"]').first().waitFor();
+  await end();
+});
+
+test("a Mega out of its box gets its firmware, and runs a program with its far points", async () => {
+  const { page, end } = await boxed("mega", false);
+  await select(page, "#model", "mega");
+  await puts(page, /The firmware was written and verified\./);
+  await page.locator("#desk-about", { hasText: "Connected: unoclp Mega" }).waitFor();
+  await select(page, "#for-board", "mega");
+  await type(page, "LD I24\nST Q16\n");
+  await page.locator("#problem-count.good").waitFor();
+  await run(page);
+  await lamp(page, 16, false);
+  await holding(page, 24, () => lamp(page, 16, true));
+  await lamp(page, 16, false);
   await end();
 });
 

@@ -136,9 +136,9 @@ const menus = new Map();
  * @param {string} row */
 async function menuOf(page, row) {
   if (!menus.has(row)) {
-    // One that is being loaded again has none yet.
+    // A page that is being loaded again has none yet.
     await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
-    const found = await page.evaluate((row) => [...document.querySelectorAll(".menu > button")].find((one) => {
+    const found = await page.waitForFunction((row) => [...document.querySelectorAll(".menu > button")].find((one) => {
       const button = /** @type {HTMLButtonElement} */ (one);
       const isShut = button.getAttribute("aria-expanded") === "false";
       if (isShut) button.click();
@@ -146,8 +146,7 @@ async function menuOf(page, row) {
       if (isShut) button.click();
       return has;
     })?.id, row);
-    assert.ok(found, `no menu has ${row}`);
-    menus.set(row, `#${found}`);
+    menus.set(row, `#${await found.jsonValue()}`);
   }
   return menus.get(row) ?? "";
 }
@@ -196,6 +195,11 @@ export async function type(page, text, name = "") {
   await page.locator(".cm-content").click();
   await page.keyboard.press("Control+A");
   await page.keyboard.insertText(text);
+}
+
+/** Waits until the program has this. @param {import("playwright-core").Page} page @param {string} text */
+export async function has(page, text) {
+  await page.waitForFunction((text) => JSON.parse(localStorage.getItem(`program/${sessionStorage.getItem("place")}`) ?? "{}").text?.includes(text), text);
 }
 
 /** Has the time of the simulated board stand: it takes half a processor. Running a program lets it go on.

@@ -5,7 +5,9 @@ import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { holding } from "./hands.mjs";
 import { Lab, clean, lamp, pick, pictures, run, select, state, tab, type } from "./harness.mjs";
+import { connect, connected } from "./plugged.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -81,3 +83,32 @@ for (const { locale, lacks } of [
     await page.context().close();
   });
 }
+
+test("a board at the port that lacks points keeps its program and says what it lacks; the larger one takes that of the smaller", async () => {
+  const page = await connected(lab);
+  await type(page, "LD I1\nST Q1\n");
+  await run(page);
+  await select(page, "#for-board", "mega");
+  await type(page, "LD I1\nST Q2\nLD I24\nST Q16\n");
+  await page.locator("#problem-count.good").waitFor();
+  for (const [speak, words] of /** @type {const} */ ([
+    ["en", /the UNO cannot run this program: line 3: .*the board Mega has this one.*nothing was sent/],
+    ["pt", /o UNO não executa este programa: linha 3: .*a placa Mega tem este ponto.*nada foi enviado/],
+  ])) {
+    await select(page, "#speak", speak);
+    await page.click("#run");
+    const note = page.locator("#notes div", { hasText: words });
+    await note.waitFor();
+    await note.getByRole("button").last().click();
+  }
+  await state(page, "RUN");
+  await holding(page, 1, () => lamp(page, 1, true));
+  await page.context().close();
+
+  const other = await connect(await lab.open(), null, "mega");
+  await type(other, "LD I1\nST Q1\n");
+  await run(other);
+  await holding(other, 1, () => lamp(other, 1, true));
+  assert.equal(await other.locator("[data-output]").count(), 16);
+  await other.context().close();
+});

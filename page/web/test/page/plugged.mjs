@@ -9,19 +9,19 @@ export async function connected(lab) {
 }
 
 /** Connects a page to a board whose EEPROM may be kept as the browser keeps that of a simulated one.
- * @param {import("playwright-core").Page} page @param {string | null} eeprom */
-export async function connect(page, eeprom = null) {
-  await page.context().addInitScript(plugIn, eeprom);
+ * @param {import("playwright-core").Page} page @param {string | null} eeprom @param {"uno" | "mega"} board */
+export async function connect(page, eeprom = null, board = "uno") {
+  await page.context().addInitScript(plugIn, /** @type {const} */ ([board, eeprom]));
   await page.reload();
   await page.locator("#run:enabled").waitFor();
   await still(page);
   await pick(page, "#connect");
-  await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
+  await page.locator("#desk-about", { hasText: `Connected: unoclp ${board === "uno" ? "UNO" : "Mega"}` }).waitFor();
   return page;
 }
 
-/** Runs in the page, before all else: a port with a board behind it. @param {string | null} eeprom */
-function plugIn(eeprom) {
+/** Runs in the page, before all else: a port with a board behind it. @param {readonly ["uno" | "mega", string | null]} plugged */
+function plugIn([board, eeprom]) {
   class Port extends EventTarget {
     worker = new Worker("board.js", { type: "module" });
     /** @type {ReadableStreamDefaultController<Uint8Array> | null} */
@@ -39,8 +39,8 @@ function plugIn(eeprom) {
       this.worker.addEventListener("message", ({ data }) => {
         if (data.kind === "serial") this.out?.enqueue(data.bytes);
       });
-      void fetch("unoclp.bin").then(async (answer) => {
-        this.worker.postMessage({ kind: "firmware", board: "uno", bytes: new Uint8Array(await answer.arrayBuffer()) });
+      void fetch(board === "uno" ? "unoclp.bin" : `unoclp-${board}.bin`).then(async (answer) => {
+        this.worker.postMessage({ kind: "firmware", board, bytes: new Uint8Array(await answer.arrayBuffer()) });
         if (eeprom) this.worker.postMessage({ kind: "eeprom", bytes: Uint8Array.from(atob(eeprom), (one) => one.charCodeAt(0)) });
         this.worker.postMessage({ kind: "plug", on: true });
         this.worker.postMessage({ kind: "run" });

@@ -7,7 +7,7 @@ import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { holding, mouse } from "./hands.mjs";
-import { Lab, choose, clean, keptText, lamp, pick, run } from "./harness.mjs";
+import { Lab, choose, clean, has, keptText, lamp, pick, run } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @type {Lab} */
@@ -27,11 +27,6 @@ async function begun(options) {
   await page.locator("#project-pane").waitFor();
   await page.locator('#project-tree [data-unit="main"][aria-current="true"]').waitFor();
   return page;
-}
-
-/** Waits until the program has this. @param {Page} page @param {string} text */
-async function has(page, text) {
-  await page.waitForFunction((text) => JSON.parse(localStorage.getItem(`program/${sessionStorage.getItem("place")}`) ?? "{}").text?.includes(text), text);
 }
 
 /** Opens a unit. @param {Page} page @param {string} unit */
