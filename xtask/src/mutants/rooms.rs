@@ -96,6 +96,9 @@ pub const ROOMS: [Room; 5] = [
     Room {
         name: "tools/client",
         package: "unoclp-client",
-        rounds: &[of(&["unoclp-client"])],
+        rounds: &[Tests {
+            patience: 60,
+            ..of(&["unoclp-client"])
+        }],
     },
 ];
