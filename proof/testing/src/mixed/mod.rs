@@ -200,9 +200,9 @@ pub fn mixed_project(seed: u64) -> (String, String) {
             |name: &str| format!("<variable name=\"{name}\"><type><BOOL/></type></variable>");
         let [x, y, w, m] = NAMES.map(variable);
         let z = variable("z");
-        let _ = write!(
+        let _ = writeln!(
             pous,
-            "<pou name=\"U{at}\" pouType=\"functionBlock\"><interface><inputVars>{x}{y}{w}</inputVars><outputVars>{z}</outputVars><localVars>{m}</localVars></interface><body>{}</body></pou>\n",
+            "<pou name=\"U{at}\" pouType=\"functionBlock\"><interface><inputVars>{x}{y}{w}</inputVars><outputVars>{z}</outputVars><localVars>{m}</localVars></interface><body>{}</body></pou>",
             body.xml
         );
         let _ = write!(
