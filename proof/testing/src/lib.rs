@@ -1,4 +1,4 @@
-//! What the tests of several crates share: how many rounds they make, random programs of all types, the corpora of the
+//! What the tests of several crates share: how many rounds they make, random programs of all types, random projects of all languages, the corpora of the
 //! fuzz targets, and the programs that stand in several languages.
 //!
 //! Owns what tests are made of. Must not know what is tested.
@@ -6,11 +6,13 @@
 pub mod chart;
 mod languages;
 mod least;
+mod mixed;
 mod random;
 mod typed;
 
 pub use languages::{Twins, in_languages};
 pub use least::{held, least};
+pub use mixed::mixed_project;
 pub use random::Random;
 pub use typed::typed_program;
 

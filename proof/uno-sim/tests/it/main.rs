@@ -17,6 +17,7 @@ mod languages;
 mod live;
 mod lockstep;
 mod machines;
+mod mixed;
 mod modbus;
 mod modbus_boundaries;
 mod modbus_data;

@@ -1,7 +1,7 @@
 //! Random conditions, written and drawn in each language.
 
+use crate::Random;
 use std::fmt::Write;
-use unoclp_testing::Random;
 
 /// A condition.
 #[derive(Clone, Debug)]
