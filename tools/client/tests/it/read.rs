@@ -3,11 +3,12 @@
 use crate::fake::{Board, FAULT, Fate, RUN, STOP, kept};
 use crate::line::Wire;
 use unoclp_client::diagnostics::{Diagnostics, Kept};
+use unoclp_client::event::Again;
 use unoclp_client::lock;
 use unoclp_client::map::{Command, Parity, State, cause, holding, input};
 use unoclp_client::order::{Done, Order, Undone};
 use unoclp_client::settings::{Settings, read_lock};
-use unoclp_client::settle::settle;
+use unoclp_client::settle::{go_on, settle};
 use unoclp_client::watch::{Forces, Meter, Reading, Scope, Side};
 use unoclp_client::{Client, Failure};
 use unoclp_modbus::Exception;
@@ -295,5 +296,18 @@ fn a_lock_holds_at_once_and_an_address_from_the_next_start() {
         let settled = wire.talk(async |client| settle(client, new).await).unwrap();
         assert_eq!(settled.is_for_next, is_for_next, "{new:?}");
         assert_eq!(wire.talk(Settings::read), Ok(new));
+    }
+}
+
+#[test]
+fn a_board_runs_again_after_settings_if_it_ran_before() {
+    for (before, again, is) in [
+        (Some(State::Run), Again::Runs, RUN),
+        (Some(State::Stop), Again::WasNot, STOP),
+        (None, Again::WasNot, STOP),
+    ] {
+        let mut wire = Wire::new(Board::in_state(STOP));
+        let came = wire.talk(async |client| go_on(client, before).await);
+        assert_eq!((came, wire.board.state), (Ok(again), is));
     }
 }
