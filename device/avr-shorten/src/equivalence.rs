@@ -27,13 +27,13 @@ const ABOVE: u16 = 8;
 /// The most instructions that may stand between two timed writes for the one to count on the other.
 const TIMED: u32 = 4;
 
-/// A unit before and after, as code that can be run, and what of it was run so far.
+/// A unit before and after, as code that can be run.
 pub struct Pair {
     before: Program,
     after: Program,
     fragment: bool,
-    visited_before: Vec<bool>,
-    visited_after: Vec<bool>,
+    /// What of the version before was run so far.
+    visited: Vec<bool>,
 }
 
 /// How many models a run may stand on.
@@ -76,8 +76,7 @@ impl Pair {
     /// Takes both versions.
     pub fn new(before: Program, after: Program) -> Self {
         Pair {
-            visited_before: vec![false; before.steps()],
-            visited_after: vec![false; after.steps()],
+            visited: vec![false; before.steps()],
             before,
             after,
             fragment: false,
@@ -137,7 +136,7 @@ impl Pair {
             above: ABOVE,
             limit: LIMIT,
         };
-        let before = run(setting, function, &mut self.visited_before);
+        let before = run(setting, function, &mut self.visited);
         if before.end == End::Void {
             return Ok(false);
         }
@@ -148,12 +147,12 @@ impl Pair {
         // An interrupt keeps all registers.
         setting.version = u8::from(before.end != End::ReturnedFromInterrupt);
         setting.limit = 2 * LIMIT;
-        let mut after = run(setting, function, &mut self.visited_after);
+        let mut after = run(setting, function, &mut []);
         if let (Some(wanted), Some(found)) = (before.frame, after.frame)
             && wanted != found
         {
             setting.moved = wanted.wrapping_sub(found);
-            after = run(setting, function, &mut self.visited_after);
+            after = run(setting, function, &mut []);
         }
         // The few bytes by which its stack begins higher may be hit by a pointer too.
         let higher = setting.moved != 0 && before.trace.starts_with(&after.trace);
@@ -172,20 +171,11 @@ impl Pair {
 
     /// How many instructions of a function were run, before the pass, and how many it has.
     pub fn coverage(&self, function: &str) -> (usize, usize) {
-        covered(&self.before, &self.visited_before, function)
+        let all = self.before.length(function);
+        let begin = self.before.begin(function).unwrap_or(self.visited.len());
+        let run = self.visited.iter().skip(begin).take(all);
+        (run.filter(|run| **run).count(), all)
     }
-
-    /// The same after the pass.
-    pub fn coverage_after(&self, function: &str) -> (usize, usize) {
-        covered(&self.after, &self.visited_after, function)
-    }
-}
-
-fn covered(program: &Program, visited: &[bool], function: &str) -> (usize, usize) {
-    let all = program.length(function);
-    let begin = program.begin(function).unwrap_or(visited.len());
-    let run = visited.iter().skip(begin).take(all).filter(|run| **run);
-    (run.count(), all)
 }
 
 /// What is different, in words.

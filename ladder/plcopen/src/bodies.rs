@@ -116,10 +116,20 @@ pub fn touch(text: &str, unit: &str, element: &str, touch: &Touch) -> Option<Str
     let body = body(tree.root_element(), unit)?;
     let mut elements = body.children().filter(Node::is_element);
     let node = elements.find(|node| node.attribute("localId") == Some(element))?;
+    let kind = node.tag_name().name();
+    let is_possible = match touch {
+        Touch::Written(_) => true,
+        Touch::Negated(_) => matches!(kind, "contact" | "coil" | "inVariable" | "outVariable"),
+        Touch::Edge(_) => matches!(kind, "contact" | "coil"),
+        Touch::Storage(_) => kind == "coil",
+    };
+    if !is_possible {
+        return None;
+    }
     let says = |is: bool| is.then_some("true");
     let other = |word: &str| Some(word.to_owned()).filter(|word| !matches!(&**word, "none" | ""));
     let piece = match touch {
-        Touch::Written(new) => match node.tag_name().name() {
+        Touch::Written(new) => match kind {
             "block" => attribute(text, node, "instanceName", Some(new)),
             "label" | "jump" => attribute(text, node, "label", Some(new)),
             _ => {

@@ -5,7 +5,7 @@
 //!
 //! The way in ([`import`]):
 //!
-//! - `bounds`: what a text may hold; `xml`: text → tree; `project`: POUs, variables, what runs and in which order
+//! - `bounds`: what a text may hold; `xml`: text → tree; `broken`: why there is none; `project`: POUs, variables, what runs and in which order
 //! - `network`: the elements of a ladder body, and the wires between them; `numbered`: its rungs, as a person counts them
 //! - `symbol`: what a variable can be; `points`, `allot`: which point of the board it gets; `scope`: what a name means in a POU
 //! - `circuit`: what is in series and in parallel; `ways`: wires followed to the left rail; `flow`: the way of the power to each output
@@ -36,6 +36,7 @@ mod blocks;
 mod bodies;
 mod body;
 mod bounds;
+mod broken;
 mod checked;
 mod circuit;
 mod comments;

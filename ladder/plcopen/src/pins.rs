@@ -1,4 +1,4 @@
-//! The inputs that blocks have: a wire to another one would be lost.
+//! The inputs and outputs that blocks have: a wire to another one would be lost.
 
 use crate::found::Found;
 use crate::network::Network;
@@ -22,13 +22,25 @@ pub(crate) fn inputs(block: &str) -> Option<&'static [&'static str]> {
     })
 }
 
+/// The outputs of a block that remembers something; none of another, whose only one has many names.
+fn outputs(block: &str) -> Option<&'static [&'static str]> {
+    Some(match block.split('_').next().unwrap_or_default() {
+        "TON" | "TOF" | "TP" => &["Q", "ET"],
+        "CTU" | "CTD" => &["Q", "CV"],
+        "CTUD" => &["QU", "QD", "CV"],
+        "SR" | "RS" => &["Q1"],
+        "R" | "F" if block.ends_with("_TRIG") => &["Q"],
+        _ => return None,
+    })
+}
+
 /// Whether this is one of IN1, IN2 …
 pub(crate) fn is_numbered(name: &str) -> bool {
     let number = name.strip_prefix("IN").unwrap_or_default();
     number.parse::<u8>().is_ok()
 }
 
-/// Tells of wires that lead to inputs which their block does not have.
+/// Tells of wires that lead to inputs which their block does not have, or come from such outputs.
 pub(crate) fn check(network: &Network<'_, '_>, found: &mut Found) {
     let blocks = network.elements.iter().enumerate();
     for (at, block) in blocks.filter(|(_, element)| element.kind == "block") {
@@ -44,6 +56,21 @@ pub(crate) fn check(network: &Network<'_, '_>, found: &mut Found) {
                 let words = [name.as_str().into(), pin.name.into()];
                 network.tell(found, Code::XmlInput, at, words);
             }
+        }
+    }
+    let pins = network.elements.iter().flat_map(|element| &element.inputs);
+    for wire in pins.flat_map(|pin| &pin.wires) {
+        let Some(block) = network.elements.get(wire.from) else {
+            continue;
+        };
+        let name = block.block();
+        let Some(known) = outputs(&name).filter(|_| block.kind == "block") else {
+            continue;
+        };
+        let output = wire.output.to_uppercase();
+        if !known.contains(&&*output) && !matches!(&*output, "" | "ENO") {
+            let words = [name.as_str().into(), wire.output.into()];
+            network.tell(found, Code::XmlOutput, wire.from, words);
         }
     }
 }

@@ -16,6 +16,7 @@ use crate::rungs::Rungs;
 use crate::scope::Scope;
 use crate::ways::Ways;
 use crate::xml::{self, all, first, text};
+use std::collections::HashSet;
 use std::sync::Arc;
 use unoclp_checked::Checked;
 use unoclp_core::Board;
@@ -247,6 +248,10 @@ fn ladder(
     found: &mut Found,
     imported: &mut Imported,
 ) {
+    let of_pous = project.programs.iter().map(|pou| &pou.variables);
+    of_pous
+        .chain([&project.globals])
+        .for_each(|of| named_twice(of, found));
     let mut points = Points::of(text, board);
     let of_pous = project.programs.iter().flat_map(|pou| &pou.variables);
     let addresses = of_pous
@@ -319,6 +324,15 @@ fn ladder(
         imported.code = Some(code);
         imported.program = Some(program);
         imported.document = Some(document);
+    }
+}
+
+/// Tells of variables of one table that have one name, whatever the case of its letters.
+fn named_twice(variables: &[Variable], found: &mut Found) {
+    let mut named = HashSet::new();
+    let names = variables.iter().filter(|own| !own.name.is_empty());
+    for own in names.filter(|own| !named.insert(own.name.to_uppercase())) {
+        found.tell_at(Code::StNameTwice, own.at, [(*own.name).into()]);
     }
 }
 

@@ -1,8 +1,9 @@
 //! The text of a file as a tree, within bounds.
 
 use crate::bounds::{LARGEST, beyond};
+use crate::broken::reason;
 use crate::found::Found;
-use roxmltree::{Document, Node, ParsingOptions};
+use roxmltree::{Document, Error, Node, ParsingOptions};
 use unoclp_lang::{Code, Span};
 
 /// The most nodes of a tree: a tag takes at least four bytes.
@@ -23,20 +24,30 @@ pub(crate) fn parse<'t>(text: &'t str, found: &mut Found) -> Option<Document<'t>
         Ok(document) => return Some(document),
         Err(error) => error,
     };
-    let place = error.pos();
-    let line = text.lines().nth((place.row as usize).saturating_sub(1));
-    let before = line.unwrap_or_default().chars();
-    let before = before.take((place.col as usize).saturating_sub(1));
-    let column: usize = before.map(char::len_utf8).sum();
-    let lines = text.split_inclusive('\n');
-    let start: usize = lines
-        .take((place.row as usize).saturating_sub(1))
-        .map(str::len)
-        .sum();
-    let start = (start + column).min(text.len()) as u32;
+    let start = place(text, &error) as u32;
     let span = Span { start, end: start };
-    found.tell_at(Code::XmlBroken, span, [error.to_string().into()]);
+    found.tell_at(Code::XmlBroken, span, [reason(&error)]);
     None
+}
+
+/// The byte at which a text is no XML.
+fn place(text: &str, error: &Error) -> usize {
+    match error {
+        Error::DtdDetected => return text.find("<!DOCTYPE").unwrap_or(0),
+        // The last byte of what is written.
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => {
+            let last = text.trim_end().char_indices().next_back();
+            return last.map_or(0, |(at, _)| at);
+        }
+        _ => {}
+    }
+    let place = error.pos();
+    let before = (place.row as usize).saturating_sub(1);
+    let start: usize = text.split_inclusive('\n').take(before).map(str::len).sum();
+    let line = text.lines().nth(before).unwrap_or_default().chars();
+    let column = line.take((place.col as usize).saturating_sub(1));
+    let column: usize = column.map(char::len_utf8).sum();
+    (start + column).min(text.len())
 }
 
 /// The elements within one, with this name.

@@ -59,9 +59,11 @@ answer! {
 }
 
 answer! {
-    /// How much of the board it takes: bytes, of so many.
+    /// How much of the board it takes: bytes.
     struct Size as "Size" {
-        stored: [usize; 2],
+        stored: usize,
+        /// How many there are.
+        all: u16,
     }
 }
 
@@ -193,7 +195,7 @@ pub fn check(analysis: &Analysis) -> Result<Checked, No> {
         Some(Ok(source)) => {
             // What is cut off is no program that anybody has written.
             let whole = source.seal() != Seal::Cut;
-            let made = whole.then(|| made(source, analysis.symbols().cloned()));
+            let made = whole.then(|| made(source, analysis));
             (language(&source.language), warnings(source), made)
         }
         Some(Err(refused)) => {
@@ -230,7 +232,8 @@ fn held_by(source: &Source) -> Vec<&'static str> {
     boards.map(|board| board.name).collect()
 }
 
-fn made(source: &Source, symbols: Option<BTreeMap<String, String>>) -> Made {
+/// The program of a text that has one.
+fn made(source: &Source, analysis: &Analysis) -> Made {
     let places = source.map.steps.iter();
     let map = places.map(|place| [place.line as u32, *place.codes.start(), *place.codes.end()]);
     let held_by = held_by(source);
@@ -239,10 +242,11 @@ fn made(source: &Source, symbols: Option<BTreeMap<String, String>>) -> Made {
     Made {
         lacking: first.filter(|_| held_by.is_empty()).map(lacking),
         held_by,
-        symbols: symbols.unwrap_or_default(),
+        symbols: analysis.symbols().cloned().unwrap_or_default(),
         map: map.collect(),
         size: Size {
-            stored: [source.size.stored_bytes, source.board().stored_bytes.into()],
+            stored: source.size.stored_bytes,
+            all: source.board().stored_bytes,
         },
         uses: Uses::of(source),
         kept: Kept::of(source.program()).into(),

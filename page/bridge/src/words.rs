@@ -44,7 +44,7 @@ impl From<unoclp_edit::Amiss> for No {
 
 unoclp_words::messages! {
     no_request(why) "the page sent a request that cannot be understood: {why}" "a página enviou um pedido incompreensível: {why}";
-    no_such_board(name, known) "there is no board {name}; there are {known}" "não existe a placa {name}; existem {known}";
+    no_such_board(name, known) "there is no board {name}; known boards: {known}" "não existe a placa {name}; placas conhecidas: {known}";
     no_board(session) "there is no session {session}" "não existe a sessão {session}";
     no_version(version) "the page asked about version {version} of the text, which no longer exists; edit the text and try again" "a página perguntou pela versão {version} do texto, que não existe mais; edite o texto e tente de novo";
     too_long(most) "the text is longer than {most} bytes" "o texto passa de {most} bytes";
@@ -54,7 +54,7 @@ unoclp_words::messages! {
     no_card(why) "the card cannot be made: {why}" "não é possível criar o cartão: {why}";
     no_machine() "this file is not a machine" "este arquivo não é uma máquina";
     other_language(language)
-        "this exercise asks for a program in `{language}`; give your file that ending"
+        "this exercise asks for a program in `{language}`; give your file that extension"
         "este exercício pede um programa em `{language}`; dê essa extensão ao seu arquivo";
     hidden_chances()
         "with other, hidden random values, the machine does not do what it should"
@@ -73,7 +73,7 @@ unoclp_words::messages! {
     fault_leaking() "leaks" "com vazamento";
     fault_bouncing() "bounces" "trepida";
     own_contacts() "real contacts drive the board's inputs; force the input instead" "contatos reais comandam as entradas da placa; force a entrada";
-    no_settings() "a program on this computer has no settings" "um programa neste computador não tem configurações";
+    no_settings() "a program on this computer has no settings" "um programa neste computador não tem ajustes";
     own_program() "this computer runs the program that is open in the page" "este computador executa o programa aberto na página";
     none_runs() "no program runs here; press Run" "nenhum programa está em execução aqui; aperte Executar";
     none_given() "no program has been given yet; press Run" "nenhum programa foi enviado ainda; aperte Executar";

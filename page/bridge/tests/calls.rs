@@ -62,7 +62,7 @@ fn a_request_names_the_board_that_a_text_is_for() {
     assert_eq!(check(json!("uno"))["program"], json!(null));
     let program = &check(json!("pc"))["program"];
     assert_eq!(program["uses"]["inputs"], json!([99]));
-    assert_eq!(program["size"]["stored"][1], 32_768);
+    assert_eq!(program["size"]["all"], 32_768);
     let card = |board: &str| {
         ask(json!({ "ask": "card", "program": program["code"], "state": false, "board": board }))
     };
@@ -691,6 +691,7 @@ fn a_mistake_in_a_form_is_told_at_its_field_with_what_could_stand_there() {
         ("ton", "line0", "0,5 s", Ok("T1, 500")),
         ("ton", "line0", "soon", Err(("line0", ""))),
         ("ctu", "line0", "4s", Err(("line0", ""))),
+        ("ctu", "point", "parts", Err(("point", "C1 parts"))),
     ];
     for (what, key, value, wanted) in cases {
         // A timer that is read has to be there.
@@ -733,6 +734,24 @@ fn a_mistake_in_a_form_is_told_at_its_field_with_what_could_stand_there() {
             }
         }
     }
+}
+
+/// It resets or loads one that counts: an output would make another coil of it.
+#[test]
+fn the_coil_of_a_counter_is_offered_no_output() {
+    let point = |value| json!({ "do": "edit", "fields": [{ "key": "point", "value": value }] });
+    let (_, mut boards) = drawn(
+        "",
+        &json!([
+            { "do": "insert", "what": "ctu", "place": "behind" }, point("C1"),
+            { "do": "insertRung", "along": "forth" },
+            { "do": "insert", "what": "reset", "place": "behind" }, point("C1"),
+        ]),
+    );
+    let request = json!({ "ask": "edit", "act": point("parts"), "width": 64 });
+    let told = told(&mut boards, request);
+    assert_eq!(told["error"]["field"], "point", "{told}");
+    assert_eq!(told["error"]["offers"], Value::Null, "{told}");
 }
 
 #[test]

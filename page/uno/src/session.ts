@@ -23,11 +23,15 @@ import { WIRINGS } from "./wiring";
 /** How long a turn works at most, and how long one takes that has all done in time: ms. */
 const WORK = 12;
 const TURN = 16;
+/** How long a turn takes after which the board still owes an answer: ms. */
+const SOON = 4;
 /** Simulated ms between two looks at the clock. */
 const CHUNK = 0.5;
 /** Whoever asks the board something is not kept waiting for the next turn: the time until its answer is simulated at once,
  * up to so many ms of real time ahead, and passes then. */
 const AHEAD = 12;
+/** Simulated ms after which nobody waits for an answer any more. */
+const OWED = 50;
 /** Chunks without a byte behind an answer: it is over. */
 const QUIET = 2;
 /** Edges that one event tells; of more, the first are left out. */
@@ -46,8 +50,8 @@ export class Session implements Witness {
   /** Simulated ms that time may still go on; `Infinity` while it runs, 0 while it stands. */
   private left = 0;
   private poweredAt = 0;
-  /** Something was sent to the board since the last turn. */
-  private isAsked = false;
+  /** Simulated ms in which the board may still answer what was sent to it; 0 once it has. */
+  private owed = 0;
   // What is told at the end of a turn.
   private sent: number[] = [];
   private edges: Edge[] = [];
@@ -92,16 +96,21 @@ export class Session implements Witness {
   turn(): number | null {
     if (this.stands) return null;
     const began = this.clock();
-    const due = Math.min(this.left, this.left === Infinity ? this.pace.due(began) : Infinity);
-    const ahead = this.isAsked && this.left === Infinity ? AHEAD * Math.min(this.factor, 1) : 0;
-    const behind = this.work(due, ahead, began + WORK);
-    this.isAsked = false;
-    this.report();
-    const now = this.clock();
-    const measured = this.left === Infinity ? this.pace.measure(now) : null;
-    if (measured) this.tell({ kind: "pace", at: this.at, ...measured });
+    const behind = this.goOn(began);
     if (this.stands) return null;
-    return behind ? 0 : Math.max(0, TURN - (now - began));
+    const passed = this.clock() - began;
+    return behind ? 0 : Math.max(0, (this.owed > 0 ? SOON : TURN) - passed);
+  }
+
+  /** Lets as much time go on as is due, tells what has changed, and says whether some is left. */
+  private goOn(began: number): boolean {
+    const due = Math.min(this.left, this.left === Infinity ? this.pace.due(began) : Infinity);
+    const ahead = this.owed > 0 && this.left === Infinity ? AHEAD * Math.min(this.factor, 1) : 0;
+    const behind = this.work(due, ahead, began + WORK);
+    this.report();
+    const measured = this.left === Infinity ? this.pace.measure(this.clock()) : null;
+    if (measured) this.tell({ kind: "pace", at: this.at, ...measured });
+    return behind;
   }
 
   /** Simulates so many ms, and up to so many `ahead` until the board has answered, unless the clock comes to `end`; says
@@ -126,6 +135,7 @@ export class Session implements Witness {
         if (this.left === Infinity) this.pace.pay(passed);
         else this.left = Math.max(0, this.left - passed);
         quiet = sent > 0 && this.sent.length === sent ? quiet + 1 : 0;
+        this.owed = quiet < QUIET ? Math.max(0, this.owed - passed) : 0;
       }
     } catch {
       this.tell({ kind: "trouble", trouble: "broken" });
@@ -226,9 +236,11 @@ export class Session implements Witness {
         return null;
       case "serial":
         board?.send(command.bytes);
-        this.isAsked = true;
+        this.owed = OWED;
         return null;
       case "time":
+        // That of the last turn would be up to 16 ms old.
+        if (!this.stands) this.goOn(this.clock());
         this.report();
         this.tell({ kind: "time", at: this.at });
         return null;

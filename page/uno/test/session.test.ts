@@ -80,6 +80,39 @@ test("a client that asks the board is answered in the same turn, and time goes n
   assert.ok(desk.of("serial").every(({ at }) => at < last + 30));
 });
 
+test("a client that asks for more than may be simulated ahead is answered soon, and not a whole turn later", () => {
+  const desk = running("motor");
+  desk.pass(250);
+  const wait = (): number => {
+    desk.obey({ kind: "serial", bytes: request(2, 0, 0, 0, 8) });
+    return desk.session.turn() ?? Infinity;
+  };
+  desk.events = [];
+  assert.ok(wait() > 10);
+  assert.equal(desk.of("serial").length, 1);
+  // Real time stands, so this is ahead of it.
+  let soon = Infinity;
+  for (let asked = 0; asked < 4 && soon > 4; asked += 1) soon = wait();
+  assert.ok(soon <= 4, `${soon}`);
+  // An answer that never comes is not waited for.
+  desk.pass(100);
+  assert.ok((desk.session.turn() ?? 0) > 10);
+});
+
+test("who asks for the time is told that of now, not that of the last turn", () => {
+  const desk = running("motor");
+  desk.events = [];
+  desk.obey({ kind: "time" });
+  desk.now += 10;
+  desk.obey({ kind: "time" });
+  const [before, now] = desk.of("time").map(({ at }) => at);
+  assert.ok(before !== undefined && now !== undefined && Math.abs(now - before - 10) < 1, `${before}, ${now}`);
+  desk.obey({ kind: "pause" });
+  desk.now += 10;
+  desk.obey({ kind: "time" });
+  assert.ok(Math.abs((desk.of("time").at(-1)?.at ?? 0) - now) < 1);
+});
+
 test("time stands while it is paused, and goes on by steps", () => {
   const desk = running("motor");
   desk.obey({ kind: "pause" });

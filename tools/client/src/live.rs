@@ -52,12 +52,12 @@ const SLOW: [Slow; 7] = [
     Slow::Registers,
 ];
 
-/// Time from the beginning of a round to that of the next: 27 a second, where the line is fast enough.
+/// Time between the beginnings of two rounds on average: 27 a second, where the line is fast enough.
 const PERIOD: Duration = Duration::from_millis(36);
 /// Rounds without a part of what hardly changes, after one with it.
 const REST: u8 = 2;
 /// Time between two rounds at least: the line is for orders too.
-const PAUSE: Duration = Duration::from_millis(5);
+const PAUSE: Duration = Duration::from_millis(2);
 
 /// A reading that is kept up.
 #[derive(Debug, Default)]
@@ -69,8 +69,8 @@ pub struct Live {
     turn: usize,
     /// Rounds until it comes.
     rest: u8,
-    /// When the last round began.
-    begun: Duration,
+    /// When the next round begins. One that takes longer, or begins later, is made up for by the next.
+    due: Duration,
 }
 
 impl Live {
@@ -85,7 +85,8 @@ impl Live {
         scope: Scope,
         parts: Parts,
     ) -> Result<&Reading, Failure> {
-        self.begun = client.now();
+        let now = client.now();
+        self.due = (self.due + PERIOD).clamp(now, now + PERIOD);
         if self.of == Some((scope, parts)) {
             let before = self.reading.diagnostics.uptime;
             self.renew(client, scope, parts).await?;
@@ -115,7 +116,7 @@ impl Live {
         client: &mut Client,
         is_so: impl Fn() -> bool,
     ) -> Result<bool, Failure> {
-        let due = (self.begun + PERIOD).saturating_sub(client.now());
+        let due = self.due.saturating_sub(client.now());
         client.pause(due.max(PAUSE), is_so).await
     }
 

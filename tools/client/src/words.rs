@@ -113,7 +113,7 @@ unoclp_words::messages! {
         "a placa gravou o programa, mas ao reiniciar leu outro PROGRAM.TXT do cartão dela; retire o cartão ou grave nele o programa";
     restarted_with(trouble)
         "the program is stored, but after the restart the board reports {trouble}"
-        "o programa está gravado, mas ao reiniciar a placa diz: {trouble}";
+        "o programa está gravado, mas ao reiniciar a placa informa: {trouble}";
     stopped_with(what) "the program is stored, but stopped with {what}" "o programa está gravado, mas parou com {what}";
     unread_empty() "the board holds no program" "a placa não tem programa";
     unread_untold()
@@ -134,11 +134,11 @@ unoclp_words::messages! {
     settings_not_taken(failure) "the board rejected the settings: {failure}" "a placa recusou os ajustes: {failure}";
     settings_not_kept()
         "the board could not store the settings: its EEPROM is failing"
-        "a placa não conseguiu guardar os ajustes: a EEPROM dela falha";
+        "a placa não conseguiu guardar os ajustes: a EEPROM dela está falhando";
     settings_kept() "the board keeps these settings" "a placa guarda esses ajustes";
     settings_next()
         "the board stored these settings and uses them after its next start"
-        "a placa guardou esses ajustes e os usa a partir do próximo início";
+        "a placa guardou esses ajustes e passa a usá-los na próxima inicialização";
     but_stop(said) "{said}; it is in STOP now" "{said}; agora ela está em STOP";
 }
 

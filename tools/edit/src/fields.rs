@@ -230,9 +230,12 @@ fn meant(
 
 /// Free points for a name that no point has yet.
 fn named_offers((document, board): (&Document, Board), step: &Step, name: &str) -> Vec<Offer> {
-    let kinds: &[fn(u8) -> Address] = match step.class() {
-        Class::Contact | Class::Xor => &[Address::Input, Address::Marker],
-        Class::Coil | Class::Timer => &[Address::Output, Address::Marker],
+    let kinds: &[fn(u8) -> Address] = match (step.class(), step.opcode().row().kind) {
+        (Class::Contact | Class::Xor, _) => &[Address::Input, Address::Marker],
+        (Class::Count, _) => &[Address::Counter],
+        // It is for a timer or a counter that is there.
+        (Class::Coil, Kind::TimerQ | Kind::Counter) => &[],
+        (Class::Coil | Class::Timer, _) => &[Address::Output, Address::Marker],
         _ => &[],
     };
     if !is_name(name) {
@@ -259,6 +262,7 @@ fn free((document, board): (&Document, Board), kind: impl Fn(u8) -> Address) -> 
     let most = match kind(1) {
         Address::Input(_) => board.inputs,
         Address::Output(_) => board.outputs,
+        Address::Counter(_) => board.counters,
         // The last of them are retentive.
         _ => RETENTIVE - 1,
     };

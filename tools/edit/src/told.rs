@@ -13,10 +13,10 @@ unoclp_words::messages! {
     no_opposite() "this element has no opposite" "este elemento não tem oposto";
     no_such_coil() "this point cannot have that kind of coil" "este ponto não aceita esse tipo de bobina";
     not_that_address() "this element cannot have that address" "este elemento não aceita esse endereço";
-    contacts_only() "only a contact can wait for an edge" "só um contato pode esperar uma borda";
+    contacts_only() "only a contact can detect an edge" "só um contato pode detectar uma borda";
     if_ends_rung() "an IF must be the last element of its rung, outside of branches" "um IF deve ser o último elemento do degrau, fora de ramos";
     not_an_element() "this cannot be inserted" "isto não pode ser inserido";
-    too_deep() "too many branches inside one another" "há ramos demais uns dentro dos outros";
+    too_deep() "too many nested branches" "há ramos aninhados demais";
     nothing_copied() "nothing has been copied" "nada foi copiado";
     into_itself() "an element cannot move into itself" "um elemento não pode ir para dentro de si mesmo";
     no_further() "it cannot move further" "não dá para mover mais";

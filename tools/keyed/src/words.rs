@@ -5,8 +5,8 @@ unoclp_words::messages! {
         "this is not TOML; check quotes, commas and brackets, and whether a key appears twice"
         "isto não é TOML; confira aspas, vírgulas e colchetes, e se uma chave aparece duas vezes";
     no_key(key, known)
-        "there is no key `{key}` here; there is {known}"
-        "não existe aqui a chave `{key}`; existe {known}";
+        "there is no key `{key}` here; known keys: {known}"
+        "não existe a chave `{key}` aqui; chaves conhecidas: {known}";
     missing(key, example)
         "the key `{key}` is missing; write `{key} = {example}`"
         "falta a chave `{key}`; escreva `{key} = {example}`";

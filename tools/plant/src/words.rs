@@ -13,8 +13,8 @@ unoclp_words::messages! {
         "`{key}` must be a number with a unit ({known}), and {given} is not; write \"{example}\""
         "`{key}` deve ser um número com unidade ({known}), e {given} não é; escreva \"{example}\"";
     name(given)
-        "{given} cannot be the name of a part; use a letter, then letters, digits and _, at most 24, and no word of Structured Text"
-        "{given} não é um nome de elemento; use uma letra e depois letras, algarismos e _, no máximo 24, e nenhuma palavra do Texto Estruturado";
+        "{given} cannot be the name of a part; use a letter, then letters, digits and _, at most 24, and no keyword of Structured Text"
+        "{given} não é um nome de elemento; use uma letra e depois letras, algarismos e _, no máximo 24, e nenhuma palavra reservada do Texto Estruturado";
     two_names(name)
         "two parts are called {name}; give each its own name"
         "dois elementos se chamam {name}; dê a cada um o seu nome";
@@ -25,8 +25,8 @@ unoclp_words::messages! {
         "there are more than {most} [[{key}]]; delete some"
         "há mais de {most} [[{key}]]; tire alguns";
     no_such_part(name, known)
-        "there is no part {name}; there is {known}"
-        "não existe o elemento {name}; existe {known}";
+        "there is no part {name}; known parts: {known}"
+        "não existe o elemento {name}; elementos conhecidos: {known}";
     other_kind(name, kind, known)
         "{name} is a {kind}; name a part of kind {known}"
         "{name} é do tipo {kind}; indique um elemento do tipo {known}";

@@ -68,7 +68,7 @@ unoclp_words::messages! {
         "um histórico em arquivo não tem `{key}`; tire essa chave";
     one_file(file)
         "history and journal both use {file}; give each its own file"
-        "o histórico e o diário estão os dois em {file}; dê a cada um o seu arquivo";
+        "o histórico e o diário usam o mesmo arquivo, {file}; dê a cada um o seu arquivo";
     no_size(given)
         "{given} is not a size from 1MB to 1000GB; write \"256MB\" or \"4GB\""
         "{given} não é um tamanho de 1MB a 1000GB; escreva \"256MB\" ou \"4GB\"";
@@ -88,8 +88,8 @@ unoclp_words::messages! {
         "{given} names no point; write board and point, \"estufa.alvo\""
         "{given} não indica um ponto; escreva placa e ponto, \"estufa.alvo\"";
     no_such_board(name, known)
-        "there is no board {name}; there is {known}"
-        "não existe a placa {name}; existe {known}";
+        "there is no board {name}; known boards: {known}"
+        "não existe a placa {name}; placas conhecidas: {known}";
     no_such_point(board, point, known)
         "{board} has no point {point}; you can write {known}"
         "{board} não tem o ponto {point}; você pode escrever em {known}";
@@ -124,8 +124,8 @@ unoclp_words::messages! {
         "two panels are called {name}; give each file its own name"
         "dois painéis se chamam {name}; dê a cada arquivo um nome próprio";
     not_recorded(board, point, known)
-        "{board} has no point {point} to show; there is {known}"
-        "{board} não tem o ponto {point} para mostrar; existe {known}";
+        "{board} has no point {point} to show; known points: {known}"
+        "{board} não tem o ponto {point} para mostrar; pontos conhecidos: {known}";
     no_range()
         "`least` must be below `most`; without them they are 0 and 100"
         "`least` deve ser menor que `most`; sem eles, valem 0 e 100";

@@ -45,7 +45,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqqt]\n"),
             5,
-            "no key `mqqt` here; there is `http`, `line`, `modbus`, `mqtt`, `history`, `journal`, `record`, `alarm`, `panel`, `user`",
+            "no key `mqqt` here; known keys: `http`, `line`, `modbus`, `mqtt`, `history`, `journal`, `record`, `alarm`, `panel`, `user`",
         ),
         (
             with("[mqtt]\n"),
@@ -95,7 +95,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("colour = 1\n"),
             5,
-            "no key `colour` here; there is `address`, `unit`, `name`, `kind`, `program`, `every`",
+            "no key `colour` here; known keys: `address`, `unit`, `name`, `kind`, `program`, `every`",
         ),
         (
             "\n[[line]]\nport = \"a\"\n[[line.board]]\n".into(),
@@ -312,7 +312,11 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             "`bound` takes another kind",
         ),
         (granted("x"), 8, "x names no point; write board and point"),
-        (granted("y.valve"), 8, "there is no board y; there is x"),
+        (
+            granted("y.valve"),
+            8,
+            "there is no board y; known boards: x",
+        ),
         (
             granted("x.flow"),
             8,
@@ -412,7 +416,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with(&panel("other.panel.toml")),
             6,
-            "other.panel.toml:3: x has no point M1 to show; there is I1, I2",
+            "other.panel.toml:3: x has no point M1 to show; known points: I1, I2",
         ),
         (
             with(&panel("turned.panel.toml")),

@@ -90,7 +90,7 @@ fn each_mistake_is_told_with_its_line_in_the_file() {
         ("[[item]\n".to_owned(), "1: this is not TOML"),
         (
             "colums = 4\n".into(),
-            "1: there is no key `colums` here; there is `title`",
+            "1: there is no key `colums` here; known keys: `title`",
         ),
         (
             "columns = 13\n".into(),
@@ -122,11 +122,11 @@ fn each_mistake_is_told_with_its_line_in_the_file() {
         ),
         (
             item("").replace("x.valve", "z.valve"),
-            "3: there is no board z; there is x, y",
+            "3: there is no board z; known boards: x, y",
         ),
         (
             item("").replace("x.valve", "x.valves"),
-            "3: x has no point valves to show; there is level, target, valve",
+            "3: x has no point valves to show; known points: level, target, valve",
         ),
         (
             item("")

@@ -4,8 +4,10 @@
 //! Owns which mutants are tried, in which order, and that page. What a mutant is, cargo-mutants knows.
 
 mod kept;
+mod lines;
 mod page;
 mod rooms;
+mod tree;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -14,12 +16,15 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 
-use crate::shell::{cargo, output, root, say};
+use crate::shell::{self, cargo, output, root, say};
 use kept::{Kept, Mutant};
 use rooms::{ROOMS, Room, Tests, VERSION};
 
 /// What it leaves behind, from the root.
 const FOLDER: &str = "target/mutants";
+
+/// The lines of those that are tried, as a change.
+const LINES: &str = "lines.diff";
 
 /// How many are tried at once.
 const BATCH: usize = 50;
@@ -77,6 +82,7 @@ fn measure(room: &Room, args: &Args) -> Result<()> {
     let result = folder.join("mutants.out/outcomes.json");
     kept.take(&result)?;
     let rounds = if args.page { &[] } else { room.rounds };
+    let source = root().join(FOLDER).join("tree");
     for tests in rounds {
         let is_open = |mutant: &&&Mutant| kept.is_open(mutant);
         let open: Vec<&Mutant> = sample.iter().filter(is_open).copied().collect();
@@ -90,10 +96,14 @@ fn measure(room: &Room, args: &Args) -> Result<()> {
             room.name,
             tests.packages.join(", ")
         ));
+        tree::refresh(root(), &source)?;
+        shell::run(unchanged(tests).current_dir(&source)).context("the tests without a mutant")?;
         // A run that is stopped has then tried the first of the order, not those of the first files.
         for batch in open.chunks(BATCH) {
+            fs::write(folder.join(LINES), lines::diff(batch, &source)?)?;
             // It ends with 2 or 3 where a mutant was missed; what became of each is in its file.
             let _ = trial(room, tests, batch, &folder)
+                .current_dir(&source)
                 .status()
                 .context("cargo-mutants does not run")?;
             kept.take(&result)?;
@@ -127,16 +137,36 @@ fn mutants(room: &Room) -> Command {
     mutants
 }
 
+/// The environment in which tests run.
+fn setting(command: &mut Command, tests: &Tests) {
+    // What is compiled for all mutants is compiled once for all rounds.
+    command.env("CARGO_TARGET_DIR", root().join(FOLDER).join("build"));
+    // That a test fails is enough: it need not show the least that it fails with.
+    command.env("UNOCLP_TRIES", "0");
+    command.env("UNOCLP_ROUNDS", tests.percent.to_string());
+}
+
+/// The tests of the source as it is: cargo-mutants itself would run those of the room's own package alone.
+fn unchanged(tests: &Tests) -> Command {
+    let mut test = cargo();
+    setting(&mut test, tests);
+    test.args(["test", "--quiet", "--profile=mutants"]);
+    for package in tests.packages {
+        test.args(["--package", package]);
+    }
+    test.args(tests.targets).arg("--").args(tests.words);
+    test
+}
+
 fn trial(room: &Room, tests: &Tests, open: &[&Mutant], folder: &Path) -> Command {
     let mut trial = mutants(room);
-    // What is compiled for all mutants is compiled once for all rounds.
-    trial.env("CARGO_TARGET_DIR", root().join(FOLDER).join("build"));
-    // That a test fails is enough: it need not show the least that it fails with.
-    trial.env("UNOCLP_TRIES", "0");
-    trial.env("UNOCLP_ROUNDS", tests.percent.to_string());
-    trial.args(["--jobs=1", "--no-shuffle", "--profile=mutants", "--output"]);
-    trial.arg(folder);
-    // Those that leave out a field come with their file.
+    setting(&mut trial, tests);
+    trial.args(["--in-place", "--no-shuffle", "--profile=mutants"]);
+    trial.arg("--baseline=skip");
+    trial.arg(format!("--timeout={}", tests.patience));
+    trial.arg("--output").arg(folder);
+    // Else those that leave out a field come with their file, whatever their name.
+    trial.arg("--in-diff").arg(folder.join(LINES));
     let files = open
         .iter()
         .filter_map(|mutant| mutant.name.split(':').next());

@@ -22,6 +22,8 @@ pub struct Tests {
     pub words: &'static [&'static str],
     /// Percent of their usual rounds.
     pub percent: u32,
+    /// Seconds that they may take: many times what they do where nothing else runs. A mutant that takes longer hangs.
+    pub patience: u32,
 }
 
 /// All tests of packages.
@@ -31,6 +33,7 @@ const fn of(packages: &'static [&'static str]) -> Tests {
         targets: &[],
         words: &[],
         percent: 100,
+        patience: 300,
     }
 }
 
@@ -38,24 +41,26 @@ const fn of(packages: &'static [&'static str]) -> Tests {
 const fn few(packages: &'static [&'static str]) -> Tests {
     Tests {
         percent: 5,
+        patience: 60,
         ..of(packages)
     }
 }
 
 /// What compilers come to: their cases, then all but what compiles the largest and the most random texts.
 const fn of_languages(packages: &'static [&'static str]) -> [Tests; 2] {
-    // A package alone may have no test of a name; and the examples in comments cost more than they tell.
-    let targets = &["--tests"];
+    // One program of tests: to build others takes longer than to run them.
     let cases = Tests {
-        packages,
-        targets,
-        words: &["cases", "sizes", "tests::", "typed_slips", "random_typed"],
-        percent: 5,
+        targets: &["--test=it"],
+        words: &["cases", "sizes", "variables", "typed_slips", "random_typed"],
+        percent: 30,
+        ..few(&["unoclp-lang"])
     };
+    // The examples in comments cost more than they tell.
+    let targets = &["--tests"];
     let others = Tests {
+        targets,
         words: &["--skip=any_text", "--skip=round_trip::random"],
-        percent: 100,
-        ..cases
+        ..of(packages)
     };
     [cases, others]
 }
@@ -91,6 +96,9 @@ pub const ROOMS: [Room; 5] = [
     Room {
         name: "tools/client",
         package: "unoclp-client",
-        rounds: &[of(&["unoclp-client"])],
+        rounds: &[Tests {
+            patience: 60,
+            ..of(&["unoclp-client"])
+        }],
     },
 ];

@@ -4,21 +4,8 @@
 //! list of handlers, the words of Instruction List, the symbols of a ladder and the constants of the assembly
 //! come from them.
 //!
-//! # To add an instruction
-//!
-//! Of a [`Kind`] and a [`Class`] that exist, it takes six places; what is forgotten is named by what stands
-//! after each:
-//!
-//! 1. its row in `device/core/src/isa/table.rs`: whatever comes next does not know the name before;
-//! 2. its effect in `device/core/src/plc/effect.rs`: a match without a wildcard;
-//! 3. its row in `device/core/src/board/uno.rs`, what it takes of run memory and its handler: a match without a wildcard;
-//! 4. that handler in `firmware/src/engine/*.s`, in `more.s` where it begins: the linker asks for its label;
-//! 5. its text for people: the row of the table in `docs/numeric-code.md`, and where Instruction List has a word
-//!    for it, that word in `docs/instruction-list.md` and its translation: tests that print what is missing;
-//! 6. its tests: scenarios in `proof/suite/`, and what it does in the naive interpreter, `host-sim/tests/it/naive`. A test
-//!    names each instruction that no scenario runs; the naive interpreter stops at what it does not know.
-//!
-//! A new kind or class is one more variant of its enum, and the compiler then asks for it everywhere.
+//! ARCHITECTURE.md, "To add an instruction", lists the places that one takes, and who asks for each. A new kind or class is one
+//! more variant of its enum, and the compiler then asks for it everywhere.
 //!
 //! # Stored form
 //!

@@ -2,10 +2,15 @@
 //! What stands in their way makes room; all else of the file stays as it is.
 //!
 //! - `sheet`: what is drawn; `new`: what is drawn anew; `signature`: the pins of a new block
+//! - `erase`: what is gone; `passage`: what stands for its outputs then
 
+mod erase;
 mod new;
+mod passage;
 mod sheet;
 mod signature;
+
+pub use erase::erase;
 
 use crate::alter::attribute;
 use crate::bodies::body;
@@ -17,6 +22,7 @@ use crate::xml::{self, all, first, within};
 use new::New;
 use roxmltree::Node;
 use sheet::{Sheet, connection};
+use signature::takes_more;
 use std::fmt::Write as _;
 use std::ops::Range;
 
@@ -59,39 +65,6 @@ pub fn draw(text: &str, unit: &str, place: Where, at: &str, what: &str) -> Optio
         Some((name, kind)) => rows::add(&drawn, Some(unit), "localVars", name, kind),
         None => Some(drawn),
     }
-}
-
-/// A project without an element of a drawn unit; what led to it leads on. Values that led to nothing else go too.
-pub fn erase(text: &str, unit: &str, at: &str) -> Option<String> {
-    let tree = xml::parse(text, &mut Found::default())?;
-    let sheet = Sheet::of(text, body(tree.root_element(), unit)?)?;
-    let node = sheet.element(at)?;
-    let mut pieces = vec![removed(text, node)];
-    let power = sheet.power(node);
-    let before: Vec<String> = power.iter().flat_map(|pin| sheet.wires(*pin)).collect();
-    for wire in sheet.readers(at) {
-        let pin = wire.parent()?;
-        // What another wire brings anyway comes once.
-        let has: Vec<String> = sheet.wires(pin);
-        let more = before.iter().filter(|own| !has.contains(own));
-        let more: String = more.map(String::as_str).collect();
-        pieces.push((wire.range(), more));
-    }
-    let is_lonely = |value: &Node<'_, '_>| {
-        let id = value.attribute("localId").unwrap_or_default();
-        let readers = sheet.readers(id);
-        value.tag_name().name() == "inVariable"
-            && !readers.is_empty()
-            && readers
-                .iter()
-                .all(|wire| within(node, "connection").any(|own| own == *wire))
-            && !before
-                .iter()
-                .any(|wire| wire.contains(&format!("\"{id}\"")))
-    };
-    let values = sheet.body.children().filter(Node::is_element);
-    pieces.extend(values.filter(is_lonely).map(|value| removed(text, value)));
-    Some(spliced(text, pieces))
 }
 
 /// A body that grows.
@@ -139,13 +112,14 @@ impl<'a, 'x: 'a> Grown<'_, '_, 'a, 'x> {
                 Some(())
             }
             (Where::After, _) => {
-                let from = vec![connection(at, sheet.output(node, at))];
+                let output = sheet.output(node, at);
+                let from = vec![connection(at, output)];
                 self.room(|place| place.0 > x, (wide, 0.0));
                 self.room_below(y, high);
                 let end = node.range().end;
                 let shift = self.width(node);
                 let id = self.element(new, &from, (x + shift + wide - COLUMN, y), end);
-                for wire in sheet.readers(at) {
+                for wire in sheet.readers_of(at, output) {
                     let to = connection(&id, new.output());
                     self.pieces.push((wire.range(), to));
                 }
@@ -168,7 +142,7 @@ impl<'a, 'x: 'a> Grown<'_, '_, 'a, 'x> {
                     return Some(());
                 }
                 let mut pins: Vec<Node<'a, 'x>> = Vec::new();
-                for wire in sheet.readers(at) {
+                for wire in sheet.readers_of(at, sheet.output(node, at)) {
                     let pin = wire.parent()?;
                     if !pins.contains(&pin) {
                         pins.push(pin);
@@ -186,6 +160,7 @@ impl<'a, 'x: 'a> Grown<'_, '_, 'a, 'x> {
     fn input(&mut self, block: Node<'a, 'x>, value: &str, (x, y): (f64, f64)) -> Option<()> {
         let sheet = self.sheet;
         let list = first(block, "inputVariables")?;
+        let kind = block.attribute("typeName").unwrap_or_default();
         let pins: Vec<Node<'_, '_>> = all(list, "variable").collect();
         let points = pins
             .iter()
@@ -199,6 +174,7 @@ impl<'a, 'x: 'a> Grown<'_, '_, 'a, 'x> {
         let wire = connection(&id, None);
         let piece = match open {
             Some(pin) => append(sheet.text, pin, &wire)?,
+            None if !takes_more(kind) => return None,
             None => {
                 let last = pins.last()?.attribute("formalParameter")?;
                 let number: u32 = last.strip_prefix("IN")?.parse().ok()?;
@@ -237,9 +213,10 @@ impl<'a, 'x: 'a> Grown<'_, '_, 'a, 'x> {
             wires.push(connection(&id, None));
         }
         let x = if new.kind == "block" { 200.0 } else { 120.0 };
+        // What is new has the largest number.
+        let end = (!sheet.is_blocks).then(|| self.next());
         let (id, more) = self.written(new, &wires, (x, y));
-        if !sheet.is_blocks {
-            let end = self.next();
+        if let Some(end) = end {
             let from = connection(&id, new.output());
             let _ = write!(
                 to,

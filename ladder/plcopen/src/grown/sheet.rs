@@ -3,6 +3,7 @@
 use crate::export::escaped;
 use crate::xml::{all, first, within};
 use roxmltree::Node;
+use std::collections::{HashMap, HashSet};
 
 /// A drawn body.
 pub(super) struct Sheet<'t, 'a, 'x> {
@@ -60,6 +61,16 @@ impl<'t, 'a, 'x: 'a> Sheet<'t, 'a, 'x> {
         own.collect()
     }
 
+    /// The wires that come from this output of it; one without a name comes from its only one.
+    pub(super) fn readers_of(&self, id: &str, output: Option<&str>) -> Vec<Node<'a, 'x>> {
+        let mut wires = self.readers(id);
+        wires.retain(|wire| {
+            let name = wire.attribute("formalParameter").unwrap_or_default();
+            name.is_empty() || output.is_none_or(|output| output.eq_ignore_ascii_case(name))
+        });
+        wires
+    }
+
     /// Where an element stands.
     pub(super) fn place(&self, node: Node<'_, '_>) -> Option<(f64, f64)> {
         let at = first(node, "position")?;
@@ -85,6 +96,36 @@ impl<'t, 'a, 'x: 'a> Sheet<'t, 'a, 'x> {
                 false => Some(first),
             }
         })
+    }
+}
+
+/// The elements that wires to each element come from.
+pub(super) struct Sources<'a>(HashMap<&'a str, Vec<&'a str>>);
+
+impl<'a> Sources<'a> {
+    pub(super) fn of<'x: 'a>(sheet: &Sheet<'_, 'a, 'x>) -> Sources<'a> {
+        let elements = sheet.body.children().filter_map(|node| {
+            let wires = within(node, "connection");
+            let from = wires.filter_map(|wire| wire.attribute("refLocalId"));
+            Some((node.attribute("localId")?, from.collect()))
+        });
+        Sources(elements.collect())
+    }
+
+    /// Whether a wire leads from one element to the other.
+    pub(super) fn leads(&self, from: &str, to: &str) -> bool {
+        self.0.get(to).is_some_and(|all| all.contains(&from))
+    }
+
+    /// All that stands before one of these elements.
+    pub(super) fn before(&self, elements: impl Iterator<Item = &'a str>) -> HashSet<&'a str> {
+        let mut waiting: Vec<&str> = elements.collect();
+        let mut met = HashSet::new();
+        while let Some(element) = waiting.pop() {
+            let from = self.0.get(element).into_iter().flatten();
+            waiting.extend(from.filter(|from| met.insert(**from)));
+        }
+        met
     }
 }
 

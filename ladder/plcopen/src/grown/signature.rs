@@ -14,6 +14,10 @@ pub(crate) struct Signature {
     pub power: Option<String>,
     /// The output that goes on.
     pub goes_on: Option<String>,
+    /// The input besides EN that the value before it leads to.
+    pub takes: Option<String>,
+    /// Whether its first output is a truth.
+    pub gives_truth: bool,
     /// Whether it is called by an instance.
     pub is_instance: bool,
 }
@@ -104,7 +108,10 @@ pub(crate) fn signature(root: Node<'_, '_>, kind: &str, is_blocks: bool) -> Opti
     };
     let is_truth = |(_, value): &&(String, Option<String>)| value.as_deref() == Some("FALSE");
     let power = inputs.iter().find(is_truth).map(|(name, _)| name.clone());
+    let first = inputs.first().map(|(name, _)| name.clone());
     let mut signature = Signature {
+        takes: power.clone().or(first),
+        gives_truth,
         power,
         goes_on: outputs.first().cloned(),
         inputs,
@@ -112,8 +119,7 @@ pub(crate) fn signature(root: Node<'_, '_>, kind: &str, is_blocks: bool) -> Opti
         is_instance,
     };
     if is_blocks {
-        let first = signature.inputs.first().map(|(name, _)| name.clone());
-        signature.power = signature.power.or(first);
+        signature.power.clone_from(&signature.takes);
     } else if signature.power.is_none() || !gives_truth {
         // Power passes by what takes or gives numbers alone.
         signature.inputs.insert(0, ("EN".to_owned(), None));
@@ -126,6 +132,13 @@ pub(crate) fn signature(root: Node<'_, '_>, kind: &str, is_blocks: bool) -> Opti
         };
     }
     Some(signature)
+}
+
+/// Whether a block of this type may have one more input than it has: `IN3`.
+pub(super) fn takes_more(kind: &str) -> bool {
+    let kind = kind.to_uppercase();
+    ["AND", "OR", "XOR", "ADD", "MUL", "MAX", "MIN", "MUX"].contains(&&*kind)
+        || ["GT", "GE", "EQ", "LE", "LT"].contains(&&*kind)
 }
 
 type Own = (Vec<(String, Option<String>)>, Vec<String>, bool, bool);

@@ -1,9 +1,10 @@
 //! What steps do: actions with their qualifiers, and the bodies of actions.
 
 use super::net::{Net, Step, named, reference};
-use super::written::{Chart, Said, in_language, list, tell};
+use super::written::{Chart, Said, in_language, tell};
 use crate::found::{Found, span};
 use crate::project::{Pou, Variable};
+use crate::st::list::Role;
 use crate::st::{self, Units};
 use crate::text::Text;
 use crate::xml::{all, first, text};
@@ -15,7 +16,7 @@ use unoclp_lang::{Code, Span};
 pub(super) struct Bodies<'b, 'a, 'x> {
     pub xml: &'b str,
     pub pou: &'b Pou<'a, 'x>,
-    globals: &'b [Variable],
+    pub(super) globals: &'b [Variable],
     units: &'b Units<'b, 'a, 'x>,
     /// What names may mean, in capitals: variables, steps and actions.
     pub known: HashMap<String, Variable>,
@@ -39,21 +40,14 @@ impl<'b, 'a, 'x: 'a> Bodies<'b, 'a, 'x> {
         globals: &'b [Variable],
         units: &'b Units<'b, 'a, 'x>,
     ) -> Bodies<'b, 'a, 'x> {
-        let part = |name: &str, kind: &str| Variable {
-            name: name.to_owned(),
-            section: "localVars".to_owned(),
-            address: None,
-            kind: kind.to_owned(),
-            initial: None,
-            retain: false,
-            constant: false,
-            at: Span::default(),
-        };
         let variables = globals.iter().chain(&pou.variables).cloned();
-        let steps = net.steps.iter().map(|step| part(&step.name, "STEP"));
+        let steps = net
+            .steps
+            .iter()
+            .map(|step| part(&step.name, "STEP", Span::default()));
         let own = declared(pou.node, "actions", "action");
         let own = own.filter_map(|node| node.attribute("name"));
-        let own = own.map(|name| part(name, "ACTION"));
+        let own = own.map(|name| part(name, "ACTION", Span::default()));
         let all = variables.chain(steps).chain(own);
         let known: HashMap<String, Variable> = all.map(|of| (of.name.to_uppercase(), of)).collect();
         let transitions = declared(pou.node, "transitions", "transition");
@@ -183,9 +177,22 @@ impl<'b, 'a, 'x: 'a> Bodies<'b, 'a, 'x> {
         }
     }
 
+    /// The unit with all that has a name in it, and what its chart needs besides.
+    pub(super) fn unit(&self, added: &[(String, String, Span)]) -> Pou<'a, 'x> {
+        let added = added.iter().map(|(name, kind, at)| part(name, kind, *at));
+        let mut unit = self.pou.clone();
+        unit.variables.extend(self.known.values().cloned());
+        unit.variables.extend(added);
+        unit
+    }
+
     fn body(&mut self, name: &str, body: Node<'a, 'x>, chart: &mut Chart, found: &mut Found) {
-        let language = body.tag_name().name();
-        let refused = match language {
+        let pou = &self.pou.name;
+        let who = (
+            format!("`{pou}`, action `{name}`"),
+            format!("`{pou}`, ação `{name}`"),
+        );
+        let made = match body.tag_name().name() {
             "ST" => {
                 chart.text.body(self.xml, body);
                 // The last statement of a body needs no semicolon elsewhere.
@@ -197,42 +204,38 @@ impl<'b, 'a, 'x: 'a> Bodies<'b, 'a, 'x> {
                 return;
             }
             "LD" | "FBD" => {
-                let mut unit = self.pou.clone();
-                unit.variables.extend(self.known.values().cloned());
-                let added = chart.variables.iter().map(|(name, kind, at)| Variable {
-                    name: name.clone(),
-                    section: "localVars".to_owned(),
-                    address: None,
-                    kind: kind.clone(),
-                    initial: None,
-                    retain: false,
-                    constant: false,
-                    at: *at,
-                });
-                unit.variables.extend(added);
-                let drawn = st::write(&unit, body, self.globals, self.units, found);
-                chart.variables.extend(drawn.variables);
-                for (piece, at) in &drawn.pieces {
-                    chart.text.piece(piece, *at);
-                }
-                return;
+                let unit = self.unit(&chart.variables);
+                st::write(&unit, body, self.globals, self.units, found)
             }
-            "IL" => match super::list::statements(&text(body)) {
-                Ok(statements) => {
-                    return statements
-                        .iter()
-                        .for_each(|line| chart.text.piece(&format!("{line};\n"), span(body)));
-                }
-                Err(word) => list(&word),
-            },
-            other => in_language(other),
+            "IL" => {
+                let unit = self.unit(&chart.variables);
+                let (code, who) = (Code::XmlAction, who.into());
+                let role = (&unit, Role { code, who });
+                st::list::statements(self.xml, role, body, self.globals, found)
+            }
+            other => {
+                let what = in_language(other);
+                return tell(found, Code::XmlAction, who, span(body), [what]);
+            }
         };
-        let pou = &self.pou.name;
-        let who = (
-            format!("`{pou}`, action `{name}`"),
-            format!("`{pou}`, ação `{name}`"),
-        );
-        tell(found, Code::XmlAction, who, span(body), [refused]);
+        chart.variables.extend(made.variables);
+        for (piece, at) in &made.pieces {
+            chart.text.piece(piece, *at);
+        }
+    }
+}
+
+/// What a name of a unit means besides its variables.
+fn part(name: &str, kind: &str, at: Span) -> Variable {
+    Variable {
+        name: name.to_owned(),
+        section: "localVars".to_owned(),
+        address: None,
+        kind: kind.to_owned(),
+        initial: None,
+        retain: false,
+        constant: false,
+        at,
     }
 }
 

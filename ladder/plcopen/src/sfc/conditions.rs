@@ -3,8 +3,10 @@
 use super::bodies::Bodies;
 use super::net::{Transition, reference};
 use super::wired::Wired;
-use super::written::{in_language, list, tell};
+use super::written::{in_language, tell};
 use crate::found::{Found, span};
+use crate::st;
+use crate::st::list::Role;
 use crate::text::Text;
 use crate::xml::{all, first, says, text};
 use roxmltree::Node;
@@ -94,13 +96,19 @@ impl<'a, 'x: 'a> Bodies<'_, 'a, 'x> {
                 to.piece(if negated { "\n)" } else { "\n" }, at);
                 to.piece(if written.ends_with(';') { "" } else { ";" }, at);
             }
-            "IL" => match super::list::expression(&text(body)) {
-                Ok(said) => {
-                    let not = if negated { "NOT " } else { "" };
-                    to.piece(&format!(":= {not}({said});"), span(body));
+            "IL" => {
+                let role = Role {
+                    code: Code::XmlCondition,
+                    who: transition.who.clone().into(),
+                };
+                let (unit, globals) = (self.unit(&[]), self.globals);
+                let said = st::list::expression(self.xml, (&unit, role), body, globals, found);
+                to.piece(if negated { ":= NOT (" } else { ":= (" }, at);
+                for (piece, at) in said.into_iter().flatten() {
+                    to.piece(&piece, at);
                 }
-                Err(word) => self.lacks(transition, list(&word), found),
-            },
+                to.piece(");", at);
+            }
             "LD" | "FBD" => {
                 let name = reference(transition.node).unwrap_or_default().to_owned();
                 let mut wired = Wired::new(self, body, found);

@@ -5,14 +5,13 @@
 //!
 //! - `net`: steps, and the transitions between them; `branches`: the divergences and convergences on the way
 //! - `conditions`: the condition of a transition; `wired`: one that contacts and blocks lead to; `bodies`: actions
-//! - `list`: what is written in Instruction List; `written`: what has been written, and what is told
+//! - `written`: what has been written, and what is told
 //!
 //! What is wrong is told by the names of steps and transitions: a number of the file is nothing that a person sees.
 
 mod bodies;
 mod branches;
 mod conditions;
-mod list;
 mod net;
 mod wired;
 mod written;

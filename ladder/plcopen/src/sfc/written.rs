@@ -39,8 +39,3 @@ pub(super) fn in_language(language: &str) -> Word {
     )
         .into()
 }
-
-/// A word of Instruction List that no expression has.
-pub(super) fn list(word: &str) -> Word {
-    (format!("`{word}` in IL"), format!("`{word}` em IL")).into()
-}

@@ -13,7 +13,7 @@ mod operators;
 
 use super::Written;
 use super::sentences::{Piece, Sentences, piece};
-use crate::found::Found;
+use crate::found::{Found, span};
 use crate::project::{Pou, Variable};
 use crate::text::Text;
 use lines::{Line, lines};
@@ -22,10 +22,32 @@ use roxmltree::Node;
 use std::collections::{HashMap, HashSet};
 use unoclp_lang::{Code, Span, Word};
 
-/// Writes a body in Instruction List; what is wrong with it is told.
+/// What a list is, and how it is told that it cannot be imported.
+pub(crate) struct Role {
+    /// Who a message is about, and what cannot be imported follow it.
+    pub code: Code,
+    pub who: Word,
+}
+
+/// Writes the body of a unit; what is wrong with it is told.
 pub(crate) fn write(
     xml: &str,
     pou: &Pou<'_, '_>,
+    body: Node<'_, '_>,
+    globals: &[Variable],
+    found: &mut Found,
+) -> Written {
+    let role = Role {
+        code: Code::XmlMixed,
+        who: (*pou.name).into(),
+    };
+    statements(xml, (pou, role), body, globals, found)
+}
+
+/// Writes a list within this unit as statements.
+pub(crate) fn statements(
+    xml: &str,
+    (pou, role): (&Pou<'_, '_>, Role),
     body: Node<'_, '_>,
     globals: &[Variable],
     found: &mut Found,
@@ -34,54 +56,41 @@ pub(crate) fn write(
     source.body(xml, body);
     let text = lines::without_comments(&source.text);
     let lines = lines(&text);
-    let mut labels: HashMap<String, Vec<usize>> = HashMap::new();
-    for (at, line) in lines.iter().enumerate() {
-        if line.is_label {
-            labels.entry(line.word.to_uppercase()).or_default().push(at);
-        }
-    }
-    let variables = globals.iter().chain(&pou.variables);
-    let mut kinds: HashMap<String, String> = variables
-        .map(|own| (own.name.to_uppercase(), own.kind.clone()))
-        .collect();
-    if pou.kind == "function" {
-        kinds.insert(pou.name.to_uppercase(), super::units::returns(pou));
-    }
-    let mut list = List {
-        name: &pou.name,
-        source: &source,
-        lines: &lines,
-        at: 0,
-        taken: kinds.keys().cloned().collect(),
-        kinds,
-        labels,
-        jumps: HashMap::new(),
-        carried: HashMap::new(),
-        lost: HashSet::new(),
-        has_left: false,
-        sentences: Sentences::default(),
-        added: Vec::new(),
-        holds: None,
-        waiting: Vec::new(),
-        found,
-    };
-    list.taken.insert(pou.name.to_uppercase());
-    for (at, line) in lines.iter().enumerate() {
-        list.at = at;
-        if list.line(line).is_none() {
-            // What follows would be told because of this.
-            break;
-        }
-    }
+    let mut list = List::new(&source, &lines, (pou, role), globals, found);
+    list.all();
     Written {
         variables: list.added,
         pieces: list.sentences.pieces(),
     }
 }
 
+/// Writes a list within this unit as the expression that the accumulator is in the end; none where it does something, or
+/// where something is wrong, which is told.
+pub(crate) fn expression(
+    xml: &str,
+    (pou, role): (&Pou<'_, '_>, Role),
+    body: Node<'_, '_>,
+    globals: &[Variable],
+    found: &mut Found,
+) -> Option<Vec<Piece>> {
+    let mut source = Text::default();
+    source.body(xml, body);
+    let text = lines::without_comments(&source.text);
+    let lines = lines(&text);
+    let mut list = List::new(&source, &lines, (pou, role), globals, found);
+    list.is_expression = true;
+    list.all()?;
+    match list.holds.take() {
+        Some(value) => Some(value.pieces.into()),
+        None => list.refuse(span(body), ("an empty body", "um corpo vazio").into()),
+    }
+}
+
 /// A body on its way.
 struct List<'l> {
-    name: &'l str,
+    role: Role,
+    /// Whether it is an expression, which does nothing.
+    is_expression: bool,
     source: &'l Text,
     lines: &'l [Line<'l>],
     at: usize,
@@ -108,14 +117,76 @@ struct List<'l> {
     found: &'l mut Found,
 }
 
-impl List<'_> {
+impl<'l> List<'l> {
+    fn new(
+        source: &'l Text,
+        lines: &'l [Line<'l>],
+        (pou, role): (&Pou<'_, '_>, Role),
+        globals: &[Variable],
+        found: &'l mut Found,
+    ) -> List<'l> {
+        let mut labels: HashMap<String, Vec<usize>> = HashMap::new();
+        for (at, line) in lines.iter().enumerate() {
+            if line.is_label {
+                labels.entry(line.word.to_uppercase()).or_default().push(at);
+            }
+        }
+        let variables = globals.iter().chain(&pou.variables);
+        let mut kinds: HashMap<String, String> = variables
+            .map(|own| (own.name.to_uppercase(), own.kind.clone()))
+            .collect();
+        if pou.kind == "function" {
+            kinds.insert(pou.name.to_uppercase(), super::units::returns(pou));
+        }
+        let mut taken: HashSet<String> = kinds.keys().cloned().collect();
+        taken.insert(pou.name.to_uppercase());
+        List {
+            role,
+            is_expression: false,
+            source,
+            lines,
+            at: 0,
+            taken,
+            kinds,
+            labels,
+            jumps: HashMap::new(),
+            carried: HashMap::new(),
+            lost: HashSet::new(),
+            has_left: false,
+            sentences: Sentences::default(),
+            added: Vec::new(),
+            holds: None,
+            waiting: Vec::new(),
+            found,
+        }
+    }
+
+    /// Reads all lines; none where something is wrong: what follows it would be told because of this.
+    fn all(&mut self) -> Option<()> {
+        for (at, line) in self.lines.iter().enumerate() {
+            self.at = at;
+            self.line(line)?;
+            if self.is_expression && (line.is_label || !self.sentences.is_empty()) {
+                let word = line.word;
+                let what = (format!("`{word}` in IL"), format!("`{word}` em IL"));
+                return self.refuse(self.span(line), what.into());
+            }
+        }
+        match self.lines.last() {
+            Some(last) if !self.waiting.is_empty() => {
+                self.refuse(self.span(last), ("`(` with no `)`", "`(` sem `)`").into())
+            }
+            _ => Some(()),
+        }
+    }
+
     fn span(&self, line: &Line<'_>) -> Span {
         self.source.span(line.at)
     }
 
     fn refuse<T>(&mut self, at: Span, what: Word) -> Option<T> {
-        self.found
-            .tell_at(Code::XmlMixed, at, [self.name.into(), what]);
+        let who = self.role.who.clone();
+        self.found.tell_at(self.role.code, at, [who, what]);
         None
     }
 

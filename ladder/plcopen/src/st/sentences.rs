@@ -46,6 +46,10 @@ impl Sentences {
         self.push(None, None, does, None);
     }
 
+    pub(super) fn is_empty(&self) -> bool {
+        self.all.is_empty()
+    }
+
     /// From here on nothing is done where this variable is TRUE.
     pub(super) fn jump(&mut self, name: &str) {
         if !self.jumps.iter().any(|jump| jump == name) {

@@ -3,11 +3,14 @@
 mod adapted;
 mod alike;
 mod any_text;
+mod bad;
 mod bodies;
 mod cases;
 mod charts;
 mod diagrams;
 mod edited;
+mod grown;
+mod mixed;
 mod no_such_points;
 mod outlined;
 mod round_trip;

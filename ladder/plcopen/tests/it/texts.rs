@@ -252,3 +252,28 @@ fn no_list_makes_the_way_long() {
         let _ = import(&beside(&list), Board::UNO);
     }
 }
+
+#[test]
+fn a_mistake_in_an_unused_unit_counts_only_where_the_unit_is_compiled() {
+    let library = "<pou name=\"Own\" pouType=\"function\"><interface><returnType><BOOL/></returnType></interface><body><ST>Own := nobody;</ST></body></pou>";
+    let variables = "<variable name=\"a\" address=\"%IX0.0\"><type><BOOL/></type></variable><variable name=\"q\" address=\"%QX0.0\"><type><BOOL/></type></variable>";
+    let value =
+        "<inVariable localId=\"1\"><connectionPointOut/><expression>a</expression></inVariable>";
+    let blocks = format!(
+        "<FBD>{value}<outVariable localId=\"2\"><connectionPointIn><connection refLocalId=\"1\"/></connectionPointIn><expression>q</expression></outVariable></FBD>"
+    );
+    for (body, is_program) in [
+        (&*blocks, true),
+        ("<ST>q := a;</ST>", false),
+        (&blocks.replace("<expression>a", "<expression>Own()"), false),
+    ] {
+        let text = project(variables, body).replace("<pous>", &format!("<pous>{library}"));
+        let made = import(&text, Board::UNO);
+        assert_eq!(made.program.is_some(), is_program, "{:?}", made.diagnostics);
+        assert_eq!(
+            made.diagnostics.iter().count(),
+            usize::from(!is_program),
+            "{text}"
+        );
+    }
+}

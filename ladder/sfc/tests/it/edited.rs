@@ -3,8 +3,8 @@
 use crate::drawn::check;
 use unoclp_sfc::edit::{Operation, Refusal, Side};
 use unoclp_sfc::{Document, Id, Look, Qualifier};
-use unoclp_testing::Random;
 use unoclp_testing::chart::sketch;
+use unoclp_testing::{Random, held, rounds};
 
 const FILLING: &str = "\
 PROGRAM filling
@@ -290,7 +290,7 @@ fn refusals_leave_a_document_as_it_is() {
 /// Whatever is done to whatever chart, it stays one that is read and drawn.
 #[test]
 fn random_operations_leave_charts() {
-    for seed in 0..u64::from(unoclp_testing::rounds(60)) {
+    let edit = |seed: u64| {
         let random = &mut Random(seed);
         let mut chart = document(&sketch(seed).text(false));
         for _ in 0..40 {
@@ -310,7 +310,8 @@ fn random_operations_leave_charts() {
                 chart = read;
             }
         }
-    }
+    };
+    (0..u64::from(rounds(60))).for_each(|seed| held(|| edit(seed)));
 }
 
 fn operation(chart: &Document, random: &mut Random) -> Operation {

@@ -18,9 +18,9 @@ struct Cases {
 /// A text, and what comes of it.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Case {
+pub struct Case {
     /// What the case shows.
-    name: String,
+    pub name: String,
     st: Option<String>,
     scl: Option<String>,
     iscl: Option<String>,
@@ -117,7 +117,8 @@ fn symbol<'t>(tree: &'t Tree, name: &str) -> Result<&'t Symbol, String> {
 }
 
 impl Case {
-    fn fault(&self) -> Option<String> {
+    /// Its text; none unless there is one alone.
+    pub fn text(&self) -> Option<(&str, TextLanguage)> {
         let texts = [
             (&self.st, TextLanguage::St),
             (&self.scl, TextLanguage::Scl),
@@ -127,8 +128,12 @@ impl Case {
         ];
         let mut texts = texts
             .iter()
-            .filter_map(|(text, language)| Some((text.as_ref()?, *language)));
-        let (Some((source, language)), None) = (texts.next(), texts.next()) else {
+            .filter_map(|(text, language)| Some((text.as_deref()?, *language)));
+        texts.next().filter(|_| texts.next().is_none())
+    }
+
+    fn fault(&self) -> Option<String> {
+        let Some((source, language)) = self.text() else {
             return Some("needs one text".to_owned());
         };
         let checked = check(source, language, unoclp_core::Board::UNO);
@@ -280,32 +285,39 @@ impl Case {
     }
 }
 
-/// Each file of cases is run, and what is wrong in any of them is shown.
-#[test]
-fn cases() {
+/// All cases, each with its file.
+pub fn all() -> Vec<(String, Case)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/typed");
     let mut paths: Vec<_> = fs::read_dir(folder)
         .unwrap()
         .map(|e| e.unwrap().path())
         .collect();
     paths.sort();
-    let (mut count, mut wrong) = (0, Vec::new());
-    for path in paths {
+    let cases = paths.into_iter().flat_map(|path| {
         let text = fs::read_to_string(&path).unwrap();
         let cases: Cases =
             toml::from_str(&text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-        for case in cases.case {
-            count += 1;
-            if let Some(fault) = case.fault() {
-                let file = path.file_name().unwrap_or_default().to_string_lossy();
-                wrong.push(format!("{file}: {}: {fault}", case.name));
-            }
-        }
-    }
+        let file = path.file_name().unwrap_or_default().to_string_lossy();
+        let file = file.into_owned();
+        cases.case.into_iter().map(move |case| (file.clone(), case))
+    });
+    cases.collect()
+}
+
+/// Each case is run, and what is wrong in any of them is shown.
+#[test]
+fn cases() {
+    let all = all();
+    let wrong = all.iter().filter_map(|(file, case)| {
+        let fault = case.fault()?;
+        Some(format!("{file}: {}: {fault}", case.name))
+    });
+    let wrong: Vec<String> = wrong.collect();
     assert!(
         wrong.is_empty(),
-        "{} of {count}:\n{}",
+        "{} of {}:\n{}",
         wrong.len(),
+        all.len(),
         wrong.join("\n\n")
     );
 }

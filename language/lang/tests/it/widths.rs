@@ -2,7 +2,7 @@
 
 use crate::common::{LARGE, Random, large, plc, program};
 use unoclp_core::Image;
-use unoclp_testing::rounds;
+use unoclp_testing::{held, rounds};
 
 const TYPES: [&str; 6] = ["SINT", "INT", "DINT", "USINT", "UINT", "INT"];
 /// Where a text leaves its variables at last.
@@ -55,12 +55,13 @@ fn registers(text: &str) -> Vec<i32> {
 
 #[test]
 fn no_operator_changes_what_a_text_does() {
-    for seed in 0..rounds(300) {
+    let compare = |seed: u32| {
         let mut random = Random(seed.into());
         let (declarations, lines) = text(&mut random);
         let plain = format!("{declarations}{lines}");
         let beside = random.pick(&BESIDE);
         let typed = format!("{declarations}{TYPED}{beside}{lines}");
         assert_eq!(registers(&plain), registers(&typed), "{typed}");
-    }
+    };
+    (0..rounds(300)).for_each(|seed| held(|| compare(seed)));
 }

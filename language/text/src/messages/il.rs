@@ -116,7 +116,7 @@ macro_rules! il_rows {
     33 TooDeep Error
         "more than 8 deferred operations are nested"
         "store a part of it in a marker first: ST M1"
-        "há mais de 8 operações adiadas, umas dentro das outras"
+        "há mais de 8 operações adiadas e aninhadas"
         "guarde antes uma parte em uma memória: ST M1";
     34 InParentheses Error
         "{0} is not allowed between ( and )"
@@ -231,7 +231,7 @@ macro_rules! il_rows {
     59 CallsTooDeep Error
         "there are too many calls, or they are nested too deeply: each one copies a body into the program"
         "call fewer functions from within functions"
-        "há chamadas demais, ou muitas umas dentro das outras: cada uma copia um corpo para o programa"
+        "há chamadas demais, ou aninhadas demais: cada uma copia um corpo para o programa"
         "chame menos funções de dentro de funções";
     60 Stateless Error
         "a function remembers nothing between calls, so it cannot contain {0}"

@@ -25,12 +25,12 @@ macro_rules! iscl_rows {
         "escreva {0} {1}; {0} {2};";
     305 IsclFirstValue Error
         "a declaration cannot give `{1}` a value: all variables start at 0"
-        "write {0} {1}; and, as a command, {1} := {2};"
+        "write {0} {1}; and, as a statement, {1} := {2};"
         "uma declaração não pode dar valor a `{1}`: todas as variáveis começam em 0"
         "escreva {0} {1}; e, como comando, {1} := {2};";
     306 IsclLate Error
-        "`{0}` declares a variable, but commands come before it"
-        "move it up, before the first command"
+        "`{0}` declares a variable, but statements come before it"
+        "move it up, before the first statement"
         "`{0}` declara uma variável, mas há comandos antes dela"
         "mova-a para cima, antes do primeiro comando";
     307 IsclUndeclared Error

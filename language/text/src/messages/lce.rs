@@ -59,8 +59,8 @@ macro_rules! lce_rows {
         "depois de var, escreva primeiro o lugar e depois o nome"
         "escreva {1} = {0};";
     412 LceLateVar Error
-        "var gives names, but commands come before it"
-        "move it up, before the first command"
+        "var gives names, but statements come before it"
+        "move it up, before the first statement"
         "var dá nomes, mas há comandos antes dele"
         "mova-o para cima, antes do primeiro comando";
     413 LceCut Warning
@@ -94,7 +94,7 @@ macro_rules! lce_rows {
         "`{0}` tem uma segunda bobina aqui, e vale a última"
         "junte as condições com | ou escreva liga e desliga";
     419 LceBraces Error
-        "write the commands of `{0}` between {1}"
+        "write the statements of `{0}` between {1}"
         "write {0} … {2} aciona Q0.0; {3}"
         "escreva os comandos de `{0}` entre {1}"
         "escreva {0} … {2} aciona Q0.0; {3}";

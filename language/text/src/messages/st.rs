@@ -426,12 +426,12 @@ macro_rules! st_rows {
     221 BackNoWords Error
         "line {1}: Structured Text cannot express {0}"
         "list the program as Instruction List or numeric code"
-        "linha {1}: o Texto Estruturado não consegue exprimir {0}"
+        "linha {1}: o Texto Estruturado não consegue expressar {0}"
         "liste o programa em Lista de Instruções ou código numérico";
     222 BackIntoPart Error
         "line {1}: {0} jumps into a part of an IF, and Structured Text cannot express that"
         "put the label before the IF or after its END"
-        "linha {1}: {0} desvia para dentro de uma parte de um IF, o que o Texto Estruturado não consegue exprimir"
+        "linha {1}: {0} desvia para dentro de uma parte de um IF, o que o Texto Estruturado não consegue expressar"
         "ponha o rótulo antes do IF ou depois do END dele";
     223 BackTimerInLoop Error
         "line {1}: {0} is in a loop; in Structured Text a timer is called once per scan"

@@ -106,7 +106,7 @@ macro_rules! xml_rows {
     523 XmlLost Warning
         "rung {0}: a PLCopen XML ladder cannot express `{1}`; the project is in Instruction List"
         "draw it with the contacts, coils and blocks listed in docs/plcopen.md"
-        "degrau {0}: um ladder do PLCopen XML não consegue exprimir `{1}`; o projeto está em Lista de Instruções"
+        "degrau {0}: um ladder do PLCopen XML não consegue expressar `{1}`; o projeto está em Lista de Instruções"
         "desenhe com os contatos, bobinas e blocos listados em docs/plcopen.pt-BR.md";
     524 XmlNoSink Warning
         "{0}: `{1}` is not connected to any output"
@@ -201,8 +201,13 @@ macro_rules! xml_rows {
     544 XmlNoBlocks Warning
         "rung {0}: a block diagram cannot express `{1}`; the project is in LD or Instruction List"
         "draw it with contacts, coils and the blocks listed in docs/plcopen.md"
-        "degrau {0}: um diagrama de blocos não consegue exprimir `{1}`; o projeto está em LD ou Lista de Instruções"
+        "degrau {0}: um diagrama de blocos não consegue expressar `{1}`; o projeto está em LD ou Lista de Instruções"
         "desenhe com contatos, bobinas e os blocos listados em docs/plcopen.pt-BR.md";
+    545 XmlOutput Error
+        "{0}: `{1}` has no output `{2}`"
+        "wire another output"
+        "{0}: `{1}` não tem a saída `{2}`"
+        "ligue o fio a outra saída";
         }
     };
 }

@@ -3,7 +3,7 @@
 import { beside } from "../offline/beside";
 import type { Both, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
-import { say, speak, told } from "../words/words";
+import { type PlainKey, say, speak, told } from "../words/words";
 import { showColumn } from "./column";
 import { type ProgramDocument, stemOf } from "./document";
 import { byId, h } from "./dom";
@@ -64,7 +64,7 @@ export class Lessons {
     this.furnish(words, lesson);
     const verdict = new Verdict(this.tools);
     const check = (scenario: string): void => void verdict.check(this.program, scenario, lesson.name);
-    const button = (key: Parameters<typeof say>[0], click: () => void, kind = ""): HTMLElement => h("button", { type: "button", class: kind, click }, say(key));
+    const button = (key: PlainKey, click: () => void, kind = ""): HTMLElement => h("button", { type: "button", class: kind, click }, say(key));
     const load = (text: string): void => this.open({ name: lesson.name, text });
     const draw = (): void => {
       load("");

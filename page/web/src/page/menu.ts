@@ -1,7 +1,6 @@
 // A button that opens a list of others.
 
-import { say, translate } from "../words/words";
-import type { Key } from "../words/table";
+import { type PlainKey, say, translate } from "../words/words";
 import { h } from "./dom";
 import { icon } from "./icons";
 
@@ -9,7 +8,7 @@ import { icon } from "./icons";
 export type Row = Command | HTMLElement | "line";
 export interface Command {
   readonly id: string;
-  readonly say: Key;
+  readonly say: PlainKey;
   act(): void;
   /** Where it says so, the row is shown only then. */
   when?(): boolean;

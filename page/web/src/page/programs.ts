@@ -2,7 +2,7 @@
 
 import type { Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
-import { say } from "../words/words";
+import { type PlainKey, say } from "../words/words";
 import { type ProgramDocument, stemOf, endOf } from "./document";
 import { h } from "./dom";
 import { picture } from "./picture";
@@ -13,7 +13,7 @@ export function showPrograms(program: ProgramDocument, tools: RemoteTools, goTo:
   const list = h("ul", { class: "programs" });
   const said = h("p", { class: "note", role: "status" });
   const when = (at: number): string => new Date(at).toLocaleString(document.documentElement.lang);
-  const button = (key: Parameters<typeof say>[0], name: string, click: () => void): HTMLElement =>
+  const button = (key: PlainKey, name: string, click: () => void): HTMLElement =>
     h("button", { type: "button", class: "small", "aria-label": `${say(key)}: ${name}`, click }, say(key));
   /** The pictures that were made: a program that is renamed keeps its own. */
   const pictures = new Map<string, HTMLElement>();

@@ -159,7 +159,7 @@ export class ProgramView {
     this.count.classList.toggle("good", checked.problems.length === 0 && lacks === 0);
     byId("tongue").textContent = LANGUAGES[checked.language || "il"][speak.value];
     const { program } = checked;
-    this.size.textContent = program ? say("size", { stored: program.size.stored[0], all: program.size.stored[1] }) : "";
+    this.size.textContent = program ? say("size", program.size) : "";
     const ladderNote = byId("ladder-note");
     ladderNote.hidden = program !== null;
     ladderNote.textContent = say(this.drawn === null ? "noLadder" : "ladderOld");

@@ -1,13 +1,12 @@
 // The drawer: tabs, as keyboards and screen readers know them. It is closed until somebody wants one of them.
 
-import type { Key } from "../words/table";
-import { say, speak } from "../words/words";
+import { type PlainKey, say, speak } from "../words/words";
 import { h } from "./dom";
 import { keep, kept } from "./kept";
 
 export interface Tab {
   readonly id: string;
-  readonly title: Key;
+  readonly title: PlainKey;
   /** What its button says in place of the title. */
   readonly label?: HTMLElement;
   readonly panel: HTMLElement;

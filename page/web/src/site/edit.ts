@@ -10,6 +10,8 @@ import { labelOf } from "./told";
 const LOOKS = {
   lamp: "lookLamp", value: "lookValue", bar: "lookBar", trend: "lookTrend", button: "lookButton", switch: "lookSwitch", set: "lookSet",
 } as const satisfies Readonly<Record<Look, SiteKey>>;
+/** What its buttons do. */
+type Moves = "panelUp" | "panelDown" | "panelRemove";
 /** What only a point that takes values can be. */
 const WRITES: ReadonlySet<Look> = new Set<Look>(["button", "switch", "set"]);
 
@@ -83,7 +85,7 @@ function row(item: Item, at: number, names: readonly Named[], put: (at: number, 
     next[at] = other;
     change(next);
   };
-  const small = (key: SiteKey, sign: string, click: () => void, disabled = false): HTMLElement => h("button", { type: "button", class: "small", "data-key": key, click, disabled }, sign);
+  const small = (key: Moves, sign: string, click: () => void, disabled = false): HTMLElement => h("button", { type: "button", class: "small", "data-key": key, click, disabled }, sign);
   const group = h("div", { class: "edit-item", role: "group" },
     h("code", {}, `${item.board}.${item.point}`),
     h("label", {}, say("panelShow"), show),
@@ -98,7 +100,7 @@ function row(item: Item, at: number, names: readonly Named[], put: (at: number, 
     const name = labelOf(of);
     group.setAttribute("aria-label", name);
     for (const button of group.querySelectorAll<HTMLElement>("[data-key]")) {
-      button.title = say(button.dataset["key"] as SiteKey, { name });
+      button.title = say(button.dataset["key"] as Moves, { name });
       button.setAttribute("aria-label", button.title);
     }
   };

@@ -12,7 +12,7 @@ import { moment, value } from "./told";
 const MINUTE = 60_000;
 const HOUR = 60 * MINUTE;
 const DAY = 24 * HOUR;
-const SPANS: readonly (readonly [ms: number, key: SiteKey, n: number])[] = [
+const SPANS: readonly (readonly [ms: number, key: "minutes" | "hours" | "days", n: number])[] = [
   [5 * MINUTE, "minutes", 5],
   [HOUR, "hours", 1],
   [8 * HOUR, "hours", 8],

@@ -596,9 +596,11 @@ export interface Shown {
   readonly svg: Both;
 }
 
-/** How much of the board it takes: bytes, of so many. */
+/** How much of the board it takes: bytes. */
 export interface Size {
-  readonly stored: readonly [number, number];
+  readonly stored: number;
+  /** How many there are. */
+  readonly all: number;
 }
 
 /** A step of a conversation. */

@@ -1,7 +1,7 @@
 // The texts of the screens of a site as the rest of the page says its own.
 
 import { SITE } from "./sitetable";
-import { sayFrom } from "./words";
+import { type Plain, sayFrom } from "./words";
 
-export type SiteKey = keyof typeof SITE;
+export type SiteKey = Plain<typeof SITE>;
 export const say = sayFrom(SITE);

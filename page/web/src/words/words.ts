@@ -22,11 +22,20 @@ export function setSpeak(language: Speak): void {
 type Values = Readonly<Record<string, string | number>>;
 type Rows = Readonly<Record<string, readonly [string, string]>>;
 
+/** The names of the `{values}` of a text. */
+type Places<Text extends string> = Text extends `${string}{${infer Place}}${infer Rest}` ? Place | Places<Rest> : never;
+type PlacesOf<T extends Rows, K extends keyof T> = Places<T[K][0]>;
+/** What is said with one of these texts: a value for each of its places, nothing where it has none. */
+type With<T extends Rows, K extends keyof T> = [PlacesOf<T, K>] extends [never] ? [] : [values: Readonly<Record<PlacesOf<T, K>, string | number>>];
+/** The texts of a table that are said as they are. */
+export type Plain<T extends Rows> = { [K in keyof T & string]: [PlacesOf<T, K>] extends [never] ? K : never }[keyof T & string];
+export type PlainKey = Plain<typeof TABLE>;
+
 /** Those of `TABLE`, and of the tables that were loaded later. */
 const rows: Record<string, readonly [string, string]> = { ...TABLE };
 
 /** A text, with its `{values}` put in. */
-export function say(key: Key, values: Values = {}): string {
+export function say<K extends Key>(key: K, ...[values]: With<typeof TABLE, K>): string {
   return text(key, values);
 }
 
@@ -37,12 +46,12 @@ export function both(key: Key): Both {
 }
 
 /** What says the texts of a table of its own, which is loaded with a part of the page. */
-export function sayFrom<T extends Rows>(table: T): (key: keyof T & string, values?: Values) => string {
+export function sayFrom<T extends Rows>(table: T): <K extends keyof T & string>(key: K, ...values: With<T, K>) => string {
   Object.assign(rows, table);
-  return (key, values = {}) => text(key, values);
+  return (key, ...[values]) => text(key, values);
 }
 
-function text(key: string, values: Values): string {
+function text(key: string, values: Values = {}): string {
   const text = rows[key]?.[speak.value === "pt" ? 1 : 0] ?? "";
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
 }
@@ -64,11 +73,11 @@ export function speakIn(root: ParentNode): void {
 /** Puts the texts of elements that name one into the language that is spoken. */
 export function translate(root: ParentNode): void {
   for (const element of root.querySelectorAll<HTMLElement>("[data-say]")) {
-    element.textContent = text(element.dataset["say"] ?? "", {});
+    element.textContent = text(element.dataset["say"] ?? "");
   }
-  for (const element of root.querySelectorAll<HTMLElement>("[data-say-title]")) element.title = text(element.dataset["sayTitle"] ?? "", {});
+  for (const element of root.querySelectorAll<HTMLElement>("[data-say-title]")) element.title = text(element.dataset["sayTitle"] ?? "");
   for (const element of root.querySelectorAll<HTMLElement>("[data-say-label]")) {
-    const label = text(element.dataset["sayLabel"] ?? "", {});
+    const label = text(element.dataset["sayLabel"] ?? "");
     element.setAttribute("aria-label", label);
     element.title = label;
   }

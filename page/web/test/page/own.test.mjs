@@ -150,7 +150,7 @@ const BAD = [
   ["no such kind", part('kind = "rocket"'), [/bad\.toml:.*`kind` cannot be/, /bad\.toml:.*`kind` não pode ser/]],
   ["an input that two switch", part('kind = "button"\nto = "I1"'), [/bad\.toml:9: b also sets I1/, /bad\.toml:9: b também comanda I1/]],
   ["an input that the board lacks", part('kind = "button"\nto = "I40"'), [/has no I40; it has I1–I8/, /não tem I40; tem I1–I8/]],
-  ["a part that is not there", part('kind = "lamp"\nby = "ghost.lit"'), [/there is no part ghost; there is b, x/, /não existe o elemento ghost; existe b, x/]],
+  ["a part that is not there", part('kind = "lamp"\nby = "ghost.lit"'), [/there is no part ghost; known parts: b, x/, /não existe o elemento ghost; elementos conhecidos: b, x/]],
   ["a unit that is none", part('kind = "tank"\nholds = "5 bananas"'), [/a number with a unit/, /um número com unidade/]],
   ["a circle", `${HEAD}${["x", "y"].map((name, at) => `[[part]]\nname = "${name}"\nkind = "lamp"\nby = "${["y", "x"][at]}.lit"\n`).join("")}`, [/in a loop: x → y → x/, /dependência circular entre estes elementos: x → y → x/]],
   ["10,000 parts", `title = "t"\n${Array.from({ length: 10_000 }, (_, at) => `[[part]]\nname = "a${at}"\nkind = "lamp"\nby = "Q1"\n`).join("")}`, [/more than 100/, /mais de 100/]],

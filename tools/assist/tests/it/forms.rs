@@ -3,7 +3,7 @@
 use crate::texts::{alike, all, text, written};
 use unoclp_assist::{edited, format};
 use unoclp_program::Written;
-use unoclp_testing::{Random, rounds, typed_program};
+use unoclp_testing::{Random, held, rounds, typed_program};
 
 fn formed(written: &Written) -> String {
     edited(&written.text(), &format(written, None))
@@ -43,7 +43,7 @@ fn what_is_well_written_stays() {
 /// Blanks taken out of and put into random programs change nothing, and come back to one form.
 #[test]
 fn random_programs_keep_their_codes() {
-    for seed in 0..rounds(60) {
+    let compare = |seed: u32| {
         let mut random = Random(seed.into());
         let program = typed_program(seed.into(), 4 + seed as usize % 9);
         let shaken: String = program
@@ -67,7 +67,8 @@ fn random_programs_keep_their_codes() {
         assert!(alike(&before, &after), "{shaken}");
         keeps(&before);
         keeps(&after);
-    }
+    };
+    (0..rounds(60)).for_each(|seed| held(|| compare(seed)));
 }
 
 /// Whatever is written: no panic, nothing lost, the same again.

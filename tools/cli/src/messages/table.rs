@@ -72,7 +72,7 @@ unoclp_words::messages! {
         "o unoclp parou a execução depois de {scans} varreduras: elas levaram {steps} passos, o limite de uma execução. Peça menos com --scans";
     calls_too_deep(place)
         "{place}: calls are nested too deeply here; split the expression"
-        "{place}: há chamadas demais umas dentro das outras; divida a expressão";
+        "{place}: há chamadas aninhadas demais; divida a expressão";
     codes_of_a_board(place)
         "{place}: only a board runs the codes after CODE; run the program with unoclp sim"
         "{place}: só uma placa executa os códigos depois de CODE; rode o programa com unoclp sim";
@@ -121,8 +121,8 @@ unoclp_words::messages! {
         "{file}: `{key}` is missing, or is not a string; ask the student to hand in again from the page"
         "{file}: falta `{key}`, ou não é um texto; peça ao aluno que entregue de novo pela página";
     hand_in_other_form(file, form, due)
-        "{file}: `form` is {form}, and this unoclp reads {due}; use the unoclp of the same version as the page"
-        "{file}: `form` é {form}, e este unoclp lê {due}; use o unoclp da mesma versão que a página";
+        "{file}: `form` is {form}, but this unoclp reads {due}; use the same version of unoclp as the page"
+        "{file}: `form` é {form}, mas este unoclp lê {due}; use a mesma versão do unoclp que a página";
     says_passed(file)
         "{file}: the hand-in claims to have passed, but it did not; the table has the valid result"
         "{file}: a entrega diz que passou, e não passou; o que vale é a tabela";
@@ -309,12 +309,12 @@ unoclp_words::messages! {
         "{file} contains no PEM certificate; name the file of the authority that signed the broker's certificate"
         "{file} não contém nenhum certificado em PEM; indique o arquivo da autoridade que assinou o do broker";
     no_trust()
-        "this system trusts no certificate; install ca-certificates, or name one with `ca`"
-        "este sistema não confia em nenhum certificado; instale ca-certificates, ou indique um em `ca`";
+        "this system has no trusted certificates; install ca-certificates, or name one with `ca`"
+        "este sistema não tem certificados confiáveis; instale ca-certificates, ou indique um em `ca`";
     board_found(name) "{name}: found" "{name}: encontrada";
     board_away(name, why) "{name}: not reachable: {why}" "{name}: fora do ar: {why}";
     board_is_less(identity, kind)
-        "{identity} answers, which has fewer points than a {kind}; change `kind` in the site file, or the board"
+        "the board says that it is {identity}, which has fewer points than a {kind}; change `kind` in the site file, or the board"
         "quem responde é {identity}, com menos pontos que um {kind}; mude `kind` no arquivo de instalação, ou a placa";
     board_keeps(name, program) "{name}: has {program}" "{name}: tem {program}";
     board_keeps_other(name, program)
@@ -339,8 +339,8 @@ unoclp_words::messages! {
         "{file} is not a history of unoclp, so it was not changed. Name another file under `store`"
         "{file} não é um histórico do unoclp; por isso ficou como estava. Indique outro arquivo em `store`";
     history_version(file, version)
-        "{file} is a history of another version of unoclp (form {version}), so it was not changed. Use that version, or name another file under `store`"
-        "{file} é um histórico de outra versão do unoclp (forma {version}); ficou como estava. Use essa versão, ou indique outro em `store`";
+        "{file} is a history of another version of unoclp (format {version}), so it was not changed. Use that version, or name another file under `store`"
+        "{file} é um histórico de outra versão do unoclp (formato {version}); ficou como estava. Use essa versão, ou indique outro em `store`";
     history_full(file)
         "{file} cannot grow: the disk is full. New samples wait in the journal; free some space"
         "{file} não pode crescer: o disco está cheio. As amostras novas esperam no diário; libere espaço";
@@ -358,8 +358,8 @@ unoclp_words::messages! {
         "{file} is not a journal of unoclp, so it was not changed. Write [journal] with another `store`"
         "{file} não é um diário do unoclp; por isso ficou como estava. Escreva [journal] com outro `store`";
     journal_version(file, version)
-        "{file} is a journal of another version of unoclp (form {version}), so it was not changed. Run that version until history and broker have all of it, or write [journal] with another `store`"
-        "{file} é um diário de outra versão do unoclp (forma {version}); por isso ficou como estava. Rode essa versão até o histórico e o broker terem tudo, ou escreva [journal] com outro `store`";
+        "{file} is a journal of another version of unoclp (format {version}), so it was not changed. Run that version until history and broker have all of it, or write [journal] with another `store`"
+        "{file} é um diário de outra versão do unoclp (formato {version}); por isso ficou como estava. Rode essa versão até o histórico e o broker terem tudo, ou escreva [journal] com outro `store`";
     journal_full(file)
         "{file} cannot grow: the disk is full. New samples wait in memory, and history and broker wait for them; free some space"
         "{file} não pode crescer: o disco está cheio. As amostras novas esperam na memória, e o histórico e o broker esperam por elas; libere espaço";
@@ -386,8 +386,8 @@ unoclp_words::messages! {
         "{database} already has samples of {point}, so nothing was moved; use an empty database"
         "{database} já tem amostras de {point}, por isso nada foi movido; use um banco vazio";
     moved(file, points, rows, database)
-        "{file}: {points} points with {rows} rows are in {database} too; start unoclp serve again"
-        "{file}: {points} pontos com {rows} linhas estão também em {database}; inicie unoclp serve de novo";
+        "{file}: copied {rows} rows of {points} points to {database}; start unoclp serve again"
+        "{file}: {rows} linhas de {points} pontos foram copiadas para {database}; inicie o unoclp serve de novo";
     alarm_came(name, text) "alarm {name}: {text}" "alarme {name}: {text}";
     alarm_gone(name) "alarm {name}: gone" "alarme {name}: passou";
     alarm_acknowledged(name, who)
@@ -397,8 +397,8 @@ unoclp_words::messages! {
         "{file} is not a record of unoclp, and was not changed; move it elsewhere"
         "{file} não é um livro de ocorrências do unoclp e não foi alterado; mova-o para outro lugar";
     record_version(file, version)
-        "{file} is a record of a later version of unoclp (form {version}), and was not changed; use that version, or move the file elsewhere"
-        "{file} é um livro de ocorrências de uma versão mais nova do unoclp (forma {version}) e não foi alterado; use essa versão ou mova o arquivo para outro lugar";
+        "{file} is a record of a later version of unoclp (format {version}), so it was not changed; use that version, or move the file elsewhere"
+        "{file} é um livro de ocorrências de uma versão mais nova do unoclp (formato {version}) e não foi alterado; use essa versão ou mova o arquivo para outro lugar";
     record_full(file)
         "{file} cannot grow: the disk is full. New entries wait in memory; free some space"
         "{file} não pode crescer: o disco está cheio. As novas entradas esperam na memória; libere espaço";
@@ -427,13 +427,13 @@ unoclp_words::messages! {
     comparing_firmware() "reading back" "lendo de volta";
     starting_firmware() "starting" "iniciando";
     flashed(bytes)
-        "written, read back and compared: {bytes} bytes; the board starts it. Its program and its settings did not change"
-        "gravado, lido de volta e comparado: {bytes} bytes; a placa o inicia. O programa e os ajustes dela não mudaram";
+        "written, read back and compared: {bytes} bytes; the board is starting. Its program and settings have not changed"
+        "gravado, lido de volta e comparado: {bytes} bytes; a placa está iniciando. O programa e os ajustes dela não mudaram";
     no_program_yet()
         "No program on the board yet: upload one, or insert a card with PROGRAM.TXT and restart"
         "Nenhum programa na placa ainda: envie um, ou insira um cartão com PROGRAM.TXT e reinicie";
     empty_board() "no program yet" "sem programa ainda";
-    board_says(trouble) "the board reports {trouble}" "a placa diz: {trouble}";
+    board_says(trouble) "the board reports {trouble}" "a placa informa: {trouble}";
     interrupted() "interrupted" "interrompido";
     watcher_ended()
         "unoclp stopped reading the board; start the monitor again"

@@ -533,7 +533,7 @@ fn a_board_is_told_of_in_portuguese() {
         (
             unreliable,
             settings,
-            "a placa não conseguiu guardar os ajustes: a EEPROM dela falha",
+            "a placa não conseguiu guardar os ajustes: a EEPROM dela está falhando",
         ),
         (
             faulty(24),

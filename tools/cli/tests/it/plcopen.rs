@@ -49,7 +49,7 @@ fn what_no_ladder_of_a_project_has_is_named_and_becomes_instruction_list() {
         ),
         (
             "pt-BR",
-            "XML-523: degrau 1: um ladder do PLCopen XML não consegue exprimir `IF`",
+            "XML-523: degrau 1: um ladder do PLCopen XML não consegue expressar `IF`",
         ),
     ] {
         let (code, out, errors) = outcome_in(&["list", &program, "--as", "xml"], lang);
@@ -124,4 +124,71 @@ fn a_program_is_listed_as_blocks_and_as_a_project_in_fbd() {
     let (code, project, errors) = outcome(&["list", &program, "--as", "xml-fbd"]);
     assert!(code == 0 && project.contains("<IL>"), "{project}");
     assert!(errors.contains("XML-544: rung 1:"), "{errors}");
+}
+
+#[test]
+fn a_bad_project_is_told_with_place_reason_and_remedy() {
+    let cases = include_str!("../../../../ladder/plcopen/tests/bad.toml");
+    let cases: toml::Table = cases.parse().unwrap();
+    for case in cases["case"].as_array().unwrap() {
+        let of = |of: &toml::Value, name: &str| of[name].as_str().unwrap().to_owned();
+        let path = file("bad.xml", &of(case, "text"));
+        let words = [
+            ("C", "en", "error", "help"),
+            ("pt_BR", "pt", "erro", "ajuda"),
+        ];
+        for (locale, lang, error, help) in words {
+            let (code, out, errors) = outcome_in(&["check", &path], locale);
+            let said = [
+                format!(
+                    "{error}[{}]: {}\n",
+                    of(case, "code"),
+                    of(&case[lang], "message")
+                ),
+                format!("--> {path}:{}\n", of(case, "at")),
+                format!("= {help}: {}\n", of(&case[lang], "help")),
+            ];
+            assert_eq!(code, 1, "{out}{errors}");
+            for said in said {
+                assert!(out.contains(&said), "{}\n{said}\n{out}", case["about"]);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_project_of_100_megabytes_is_refused_in_words() {
+    let path = file("large.xml", "<?xml version=\"1.0\"?>\n");
+    let large = std::fs::File::options().write(true).open(&path).unwrap();
+    // What follows has no place on the disk.
+    large.set_len(100 << 20).unwrap();
+    for (lang, said) in [
+        ("C", "is longer than 1048576 bytes"),
+        ("pt_BR", "passa de 1048576 bytes"),
+    ] {
+        for command in ["check", "units", "list", "compile"] {
+            let (code, out, errors) = outcome_in(&[command, &path], lang);
+            assert_eq!((code, &*out), (2, ""));
+            assert!(errors.contains(&path) && errors.contains(said), "{errors}");
+        }
+    }
+    std::fs::remove_file(path).unwrap();
+}
+
+#[test]
+fn what_no_ladder_expresses_is_exported_as_it_is_written() {
+    let text = "FUNCTION Any : BOOL\nVAR_INPUT x, y : BOOL; END_VAR\nIF x THEN Any := TRUE; ELSE Any := y; END_IF;\nEND_FUNCTION\nPROGRAM main\nVAR a AT %IX1 : BOOL; b AT %IX2 : BOOL; q AT %QX1 : BOOL; r : REAL; END_VAR\nr := r + 0.5;\nq := Any(a, b) AND r > 3.0;\nEND_PROGRAM\n";
+    let program = file("own-words.st", text);
+    let (code, project, errors) = outcome(&["list", &program, "--as", "xml"]);
+    assert_eq!((code, &*errors), (0, ""));
+    assert!(
+        project.contains("pouType=\"function\"") && !project.contains("<IL>"),
+        "{project}"
+    );
+    let again = file("own-words.xml", &project);
+    assert_eq!(codes(&again), codes(&program));
+    // And so is a project.
+    let (code, same, errors) = outcome(&["list", &again, "--as", "xml"]);
+    assert_eq!((code, &*errors), (0, ""));
+    assert_eq!(same, project);
 }

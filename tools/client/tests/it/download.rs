@@ -80,3 +80,17 @@ fn what_is_no_program_of_this_board_is_not_shown() {
     };
     assert_eq!(read(old), Err(Unread::Untold));
 }
+
+#[test]
+fn a_program_may_fill_its_board() {
+    let read = |stored_bytes| {
+        let facts = Facts {
+            stored_bytes,
+            ..Facts::UNO
+        };
+        Wire::new(keeping(JUMPS)).talk(async |client| download(client, facts).await)
+    };
+    let bytes = kept(JUMPS).bytes;
+    assert_eq!(read(bytes).map(|code| kept(&code)), Ok(kept(JUMPS)));
+    assert_eq!(read(bytes - 1), Err(Unread::Other));
+}

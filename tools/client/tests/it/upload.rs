@@ -5,7 +5,7 @@ use crate::line::Wire;
 use unoclp_client::diagnostics::{Kept, Trouble};
 use unoclp_client::map::{BLOCK_BYTES, Command, State, flag, holding};
 use unoclp_client::upload::{
-    Behind, Broken, Codes, FIRST_SCANS, Pass, Progress, Upload, end, go_on, stop, upload,
+    Behind, Broken, Codes, FIRST_SCANS, Pass, Progress, Upload, end, go_on, needs, stop, upload,
 };
 use unoclp_client::watch::command;
 use unoclp_client::{Failure, lock};
@@ -421,4 +421,18 @@ fn an_upload_that_is_broken_off_ends_in_order() {
     let mut wire = Wire::new(Board::in_state(RUN));
     assert_eq!(wire.talk(end).unwrap().state, Some(State::Run));
     assert_eq!(wire.board.state, RUN);
+}
+
+#[test]
+fn the_first_form_that_has_all_instructions_is_needed() {
+    let programs = [
+        (FOLLOW, 1),
+        ("0\n766800\n7\n838432\n", 1),
+        ("0\n766800\n7\n838433\n", 2),
+        ("0\n766833\n838401\n", 2),
+        ("0\n766801\n808372\n766800\n3\n83856699\n838401\n", 2),
+    ];
+    for (text, form) in programs {
+        assert_eq!(program(text, needs), form, "{text}");
+    }
 }

@@ -9,7 +9,7 @@ unoclp_words::messages! {
     not_read(error) "cannot be read: {error}" "não pode ser lido: {error}";
     the_file(why) "the file {why}" "o arquivo {why}";
     no_toml() "this is not valid TOML; check quotes, commas and brackets" "isto não é TOML válido; confira aspas, vírgulas e colchetes";
-    no_key(key, valid) "there is no key `{key}` here; there is {valid}" "não existe aqui a chave `{key}`; existe {valid}";
+    no_key(key, valid) "there is no key `{key}` here; known keys: {valid}" "não existe a chave `{key}` aqui; chaves conhecidas: {valid}";
     missing_key(key) "the key `{key}` is missing" "falta a chave `{key}`";
     key_twice() "this key appears twice" "esta chave aparece duas vezes";
     wrong_kind() "this value has the wrong type" "este valor não é do tipo que a chave pede";
@@ -30,8 +30,8 @@ unoclp_words::messages! {
         "{told}; a scenario is a file in TOML (.toml)"
         "{told}; um cenário é um arquivo em TOML (.toml)";
     too_many_scans(scans, most)
-        "this makes {scans} scans, but all cases of a file together may make {most}; end it earlier (`until`), or make `scan_ms` longer"
-        "isto dá {scans} varreduras, mas os casos de um arquivo podem somar {most}; termine antes (`until`) ou aumente `scan_ms`";
+        "this would take {scans} scans, but all cases of a file together may make {most}; end it earlier (`until`), or make `scan_ms` longer"
+        "isto levaria {scans} varreduras, mas os casos de um arquivo podem somar {most}; termine antes (`until`) ou aumente `scan_ms`";
     program(name, why) "the program {name} {why}" "o programa {name} {why}";
     has_errors() "has errors; `unoclp check` shows them" "tem erros; `unoclp check` os mostra";
     no_program()
@@ -53,14 +53,14 @@ unoclp_words::messages! {
         "`seeds` are further random seeds of a machine; name one with `plant`"
         "`seeds` são outras sementes aleatórias de uma máquina; indique uma com `plant`";
     many_seeds(most)
-        "`seeds` has more than {most}; leave some out"
-        "`seeds` tem mais de {most}; tire alguns";
+        "`seeds` has more than {most} numbers; remove some"
+        "`seeds` tem mais de {most} números; tire alguns";
     hidden_chance(seed, why)
         "with hidden random values ({seed}): {why}"
         "com valores aleatórios ocultos ({seed}): {why}";
     two_programs()
         "`program` and `text` both give a program; keep one of them"
-        "`program` e `text` dão cada um um programa; deixe só um dos dois";
+        "tanto `program` quanto `text` indicam um programa; deixe só um dos dois";
     long_text(most) "`text` is longer than {most} bytes" "`text` passa de {most} bytes";
     fault_and_steps()
         "a program with a `fault` never runs; remove `fault`, or the steps and `until`"
@@ -76,8 +76,8 @@ unoclp_words::messages! {
         "`until` comes before the last step, at {last} ms"
         "`until` vem antes do último passo, aos {last} ms";
     no_board(name, known)
-        "there is no board \"{name}\"; boards are {known}"
-        "não existe a placa \"{name}\"; as placas são {known}";
+        "there is no board \"{name}\"; known boards: {known}"
+        "não existe a placa \"{name}\"; placas conhecidas: {known}";
     cases_and_steps()
         "in a file with [[case]], the steps and `until` belong in the cases; move them there"
         "um arquivo com [[case]] tem os passos e `until` dentro dos casos; passe-os para lá";

@@ -27,12 +27,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[wheel]\n"),
             10,
-            "no key `wheel` here; there is `title`",
+            "no key `wheel` here; known keys: `title`",
         ),
         (
             with("colour = 1\n"),
             10,
-            "no key `colour` here; there is `name`, `kind`",
+            "no key `colour` here; known keys: `name`, `kind`",
         ),
         (
             "[[part]]\nname = \"b\"\nkind = \"button\"\n".into(),
@@ -102,7 +102,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("lamp", "by = \"m.closed\"\n"),
             13,
-            "there is no part m; there is b, k, x",
+            "there is no part m; known parts: b, k, x",
         ),
         (
             part("valve", "by = \"P1\"\n"),

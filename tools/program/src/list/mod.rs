@@ -105,7 +105,8 @@ pub enum Body {
     Blocks,
 }
 
-/// A program as a project in PLCopen XML, which goes by the name of its file. A chart is exported as it is written.
+/// A program as a project in PLCopen XML, which goes by the name of its file. A chart is exported as it is written; so is a text
+/// or a project that no ladder expresses.
 ///
 /// # Errors
 /// What no project can say.
@@ -126,7 +127,28 @@ pub fn plcopen(source: &Source, body: Body) -> Result<Exported, Vec<Lost>> {
         Body::Ladder => unoclp_plcopen::export,
         Body::Blocks => unoclp_plcopen::export_blocks,
     };
-    export(&document, &name.to_string_lossy(), source.board())
+    let exported = export(&document, &name.to_string_lossy(), source.board())?;
+    if body == Body::Ladder && !exported.beyond.is_empty() {
+        let own = match source.language.written_in() {
+            WrittenIn::Xml => Some(source.text.clone()),
+            _ if is_st => same(source, &name.to_string_lossy()),
+            _ => None,
+        };
+        if let Some(text) = own {
+            let beyond = Vec::new();
+            return Ok(Exported { text, beyond });
+        }
+    }
+    Ok(exported)
+}
+
+/// The project of a text, with its bodies as they are written; none where it is not read as the same codes.
+fn same(source: &Source, name: &str) -> Option<String> {
+    let text = unoclp_plcopen::export_text(&source.text, name);
+    let (read, _) = unoclp_plcopen::import(&text, source.board()).program?;
+    let steps = read.program().steps().flat_map(|step| step.codes());
+    let own = source.program().steps().flat_map(|step| step.codes());
+    steps.eq(own).then_some(text)
 }
 
 /// A ladder diagram as an SVG document. Its title is the first comment of the file, or the file's name.

@@ -23,13 +23,13 @@ unoclp_words::messages! {
     drives(target) "drives {target}" "aciona {target}";
     constant() "the constant" "a constante";
     popped() "value (the pushed value comes first)" "valor (o empilhado vem antes)";
-    to_registers(first) "to {first} on" "para {first} em diante";
+    to_registers(first) "to {first} onwards" "a partir de {first}";
     so_many_registers() "number of registers" "o número de registradores";
     so_many_steps() "number of steps" "número de passos";
     outputs_of(step) "step {step}: outputs 01 02 03 04" "passo {step}: saídas 01 02 03 04";
-    from_this() "from this …" "disto …";
-    to_this() "… to this" "… a isto";
-    becomes_from() "becomes from this …" "passa a ir disto …";
+    from_this() "input: from this …" "entrada: deste valor …";
+    to_this() "… to this" "… até este";
+    becomes_from() "output: from this …" "saída: deste valor …";
     filter_time(value) "time: {value} ms" "tempo: {value} ms";
 }
 

@@ -7,7 +7,7 @@ use unoclp_draw::edit::{Document, Drawn};
 use unoclp_draw::{Drawing, Ladder, Names};
 use unoclp_host_sim::random::{Random, random_program};
 use unoclp_program::Written;
-use unoclp_testing::rounds;
+use unoclp_testing::{held, rounds};
 
 /// All files in a folder and in those below it.
 fn files(folder: &Path) -> Vec<PathBuf> {
@@ -83,9 +83,10 @@ fn every_program_of_the_project_comes_back() {
 
 #[test]
 fn random_programs_come_back() {
-    for seed in 0..rounds(1_500) {
+    let compare = |seed: u32| {
         let text = random_program(&mut Random::new(seed.into()));
         let checked = unoclp_program::load(text.as_bytes(), unoclp_core::Board::UNO).unwrap();
         comes_back(&format!("seed {seed}:\n{text}"), checked.program());
-    }
+    };
+    (0..rounds(1_500)).for_each(|seed| held(|| compare(seed)));
 }

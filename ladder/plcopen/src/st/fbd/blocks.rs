@@ -175,7 +175,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         }
         let block = self.network.elements[at].block();
         let Some(kind) = self.member(&block, output) else {
-            self.tell(Code::XmlInput, at, [block.into(), output.into()]);
+            self.tell(Code::XmlOutput, at, [block.into(), output.into()]);
             return None;
         };
         let name = self.add(output, &kind, at);

@@ -26,6 +26,12 @@ fn large() -> Board {
     }
 }
 
+/// A project of one random diagram.
+pub(crate) fn random_project(random: &mut Random) -> String {
+    let diagram = random_diagram(random, true);
+    project(&diagram.variables(), &diagram.body())
+}
+
 #[test]
 fn random_diagrams_do_what_openplc_makes_of_them() {
     let (mut changed, mut ladders) = (0, 0);

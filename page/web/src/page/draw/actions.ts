@@ -2,9 +2,10 @@
 
 import type { Act } from "../../tools/answers";
 import type { DRAW } from "../../words/drawtable";
+import type { Plain } from "../../words/words";
 
 export interface Action {
-  readonly say: keyof typeof DRAW;
+  readonly say: Plain<typeof DRAW>;
   /** As `KeyboardEvent` has it, with Ctrl+, Alt+ and Shift+ before it. */
   readonly key: string;
   /** What Rust does; or what the screen does by itself. */

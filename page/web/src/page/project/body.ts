@@ -112,7 +112,7 @@ export class Body {
     };
     const field = h("input", { id: "unit-written", value: written, spellcheck: "false", autocomplete: "off", change: () => this.alter({ what: "written", at: id, to: field.value }) });
     field.addEventListener("keydown", leave);
-    const pick = <W extends keyof typeof WORDS>(what: "edge" | "storage", values: readonly W[], value: string): HTMLElement => {
+    const pick = (what: "edge" | "storage", values: readonly (keyof typeof WORDS)[], value: string): HTMLElement => {
       const list = h("select", { id: `unit-${what}`, change: () => this.alter({ what, at: id, to: list.value }) }, ...values.map((one) => h("option", { value: one, selected: one === value }, say(WORDS[one]))));
       return h("label", {}, say(what === "edge" ? "projectEdge" : "projectStorage"), list);
     };

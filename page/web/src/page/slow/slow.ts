@@ -7,7 +7,7 @@ import { hasBit } from "../../tools/bits";
 import type { RemoteTools } from "../../tools/remote";
 import { Refusal } from "../../tools/tools";
 import { SLOW } from "../../words/slowtable";
-import { sayFrom, speak, told, translate } from "../../words/words";
+import { type Plain, sayFrom, speak, told, translate } from "../../words/words";
 import type { Bench } from "../bench";
 import type { ProgramDocument } from "../document";
 import { byId, h } from "../dom";
@@ -255,9 +255,9 @@ export class SlowMotion {
 
   /** What stands beside the drawing. */
   private registers(now: Stood, made: Made): HTMLElement[] {
-    const one = (words: keyof typeof SLOW, id: string, value: string): HTMLElement[] => [h("dt", {}, say(words)), h("dd", { id }, value)];
+    const one = (words: Plain<typeof SLOW>, id: string, value: string): HTMLElement[] => [h("dt", {}, say(words)), h("dd", { id }, value)];
     const bit = (bits: number, number: number): string => String(Number(hasBit(bits, number)));
-    const points = (words: keyof typeof SLOW, letter: string, numbers: readonly number[], image: number, pins: number): HTMLElement =>
+    const points = (words: Plain<typeof SLOW>, letter: string, numbers: readonly number[], image: number, pins: number): HTMLElement =>
       h("table", { id: `slow-${letter}` },
         h("caption", {}, say(words)),
         h("thead", {}, h("tr", {}, ...(["slowPoint", "slowImage", "slowPin"] as const).map((head) => h("th", { scope: "col" }, say(head))))),

@@ -1,0 +1,105 @@
+//! Why a text is no XML, in both languages; where it is, the diagnostic says.
+
+use roxmltree::Error;
+use unoclp_lang::Word;
+
+/// The reason of the reader.
+pub(crate) fn reason(error: &Error) -> Word {
+    let both = |en: &str, pt: &str| Word::from((en, pt));
+    let named = |en: &str, pt: &str, name: &str| {
+        Word::from((format!("{en} `{name}`"), format!("{pt} `{name}`")))
+    };
+    match error {
+        Error::NoRootNode => both("it has no element", "ele não tem nenhum elemento"),
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => both(
+            "it ends before its last element does",
+            "ele acaba antes do seu último elemento",
+        ),
+        Error::DtdDetected => both(
+            "a document type (`<!DOCTYPE`), which may hold entities, is not read",
+            "um tipo de documento (`<!DOCTYPE`), que pode ter entidades, não é lido",
+        ),
+        Error::UnexpectedCloseTag(expected, actual, _) => Word::from((
+            format!("`</{actual}>` stands where `</{expected}>` is due"),
+            format!("`</{actual}>` está onde deveria estar `</{expected}>`"),
+        )),
+        Error::UnknownEntityReference(name, _) => named(
+            "there is no entity",
+            "não existe a entidade",
+            &format!("&{name};"),
+        ),
+        Error::MalformedEntityReference(_) => both(
+            "a bare `&`, which XML spells `&amp;`",
+            "um `&` solto, que em XML se escreve `&amp;`",
+        ),
+        Error::InvalidAttributeValue(_) => both(
+            "a bare `<` in an attribute, which XML spells `&lt;`",
+            "um `<` solto em um atributo, que em XML se escreve `&lt;`",
+        ),
+        Error::DuplicatedAttribute(name, _) => named(
+            "an element has twice the attribute",
+            "um elemento tem duas vezes o atributo",
+            name,
+        ),
+        Error::UnknownNamespace(prefix, _) => {
+            named("an undeclared prefix", "um prefixo não declarado", prefix)
+        }
+        Error::DuplicatedNamespace(prefix, _) => named(
+            "an element declares twice the prefix",
+            "um elemento declara duas vezes o prefixo",
+            prefix,
+        ),
+        Error::InvalidXmlPrefixUri(_)
+        | Error::UnexpectedXmlUri(_)
+        | Error::UnexpectedXmlnsUri(_)
+        | Error::InvalidElementNamePrefix(_) => both(
+            "a namespace of XML itself is declared or used otherwise",
+            "um espaço de nomes do próprio XML é declarado ou usado de outra forma",
+        ),
+        Error::UnexpectedDeclaration(_) => both(
+            "`<?xml` stands only at the very beginning",
+            "`<?xml` só pode estar bem no início",
+        ),
+        Error::NonXmlChar(sign, _) => named(
+            "XML has no character",
+            "XML não tem o caractere",
+            &format!("U+{:04X}", u32::from(*sign)),
+        ),
+        Error::InvalidComment(_) => both("a comment has `--`", "um comentário tem `--`"),
+        Error::InvalidCharacterData(_) => {
+            both("`]]>` stands outside of CDATA", "`]]>` está fora de CDATA")
+        }
+        Error::InvalidName(_) => both(
+            "a name that XML does not allow",
+            "um nome que XML não permite",
+        ),
+        Error::InvalidChar(expected, ..) => due(&char::from(*expected).to_string()),
+        Error::InvalidChar2(expected, ..) | Error::InvalidString(expected, _) => due(expected),
+        Error::NodesLimitReached
+        | Error::AttributesLimitReached
+        | Error::NamespacesLimitReached => {
+            both("it has too many elements", "ele tem elementos demais")
+        }
+        // Of document types, which are refused, and what has no words of its own.
+        _ => both(
+            "this is no element and no text",
+            "isto não é elemento nem texto",
+        ),
+    }
+}
+
+/// What is missing: a sign, or in the reader's words a kind of them.
+fn due(expected: &str) -> Word {
+    let pt = match expected {
+        "a quote" => "aspas",
+        "a whitespace" | "space" => "um espaço",
+        own => own,
+    };
+    match pt == expected {
+        true => Word::from((
+            format!("`{expected}` is missing"),
+            format!("falta `{expected}`"),
+        )),
+        false => Word::from((format!("{expected} is missing"), format!("falta {pt}"))),
+    }
+}
