@@ -41,23 +41,30 @@ function found(...files) {
   return file;
 }
 
-/** The bytes of a hex file, as the flash holds them: compressed they are two thirds of the text. */
-async function binary(file, board) {
-  const read = { absWorkingDir: lab, bundle: true, format: "esm", write: false, entryPoints: ["../uno/src/index.ts"] };
-  const { outputFiles } = await build(read);
-  const { WIRINGS, readHex } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
-  const words = readHex(readFileSync(file, "utf8"), WIRINGS[board].chip.flash);
-  if (!words) throw new Error(`${file} is no Intel hex for this chip`);
-  const bytes = new Uint8Array(words.buffer);
-  return bytes.subarray(0, bytes.findLastIndex((byte) => byte !== 0xff) + 1);
+/** What a module of the simulated board exports. */
+async function ofUno(module) {
+  const { outputFiles } = await build({ absWorkingDir: lab, bundle: true, format: "esm", write: false, entryPoints: [`../uno/src/${module}.ts`] });
+  return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
 }
 
-/** Where a firmware has what slow motion asks of it, by its map. */
-async function places(map) {
-  const read = { absWorkingDir: lab, bundle: true, format: "esm", write: false, entryPoints: ["../uno/src/slow/index.ts"] };
-  const { outputFiles } = await build(read);
-  const { placesOf } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
-  return placesOf(readFileSync(found(map), "utf8"));
+/** The firmware of each board as hex; of those that are simulated as the bytes that the flash holds too, since compressed they
+ * are two thirds of the text, and where each has what slow motion asks of it, by its map. */
+async function firmwares(outdir) {
+  const { WIRINGS, readHex } = await ofUno("index");
+  const { BOARDS, firmwareName } = await ofUno("boards");
+  const { placesOf } = await ofUno("slow/index");
+  const folder = join(lab, "../../firmware");
+  for (const file of readdirSync(folder).filter((name) => name.endsWith(".hex"))) cpSync(join(folder, file), join(outdir, file.replace("-uno", "")));
+  const slow = {};
+  for (const board of BOARDS) {
+    const file = `firmware/unoclp-${board}`;
+    const words = readHex(readFileSync(found(`${file}.hex`), "utf8"), WIRINGS[board].chip.flash);
+    if (!words) throw new Error(`${file}.hex is no Intel hex for this chip`);
+    const bytes = new Uint8Array(words.buffer);
+    writeFileSync(join(outdir, `${firmwareName(board)}.bin`), bytes.subarray(0, bytes.findLastIndex((byte) => byte !== 0xff) + 1));
+    slow[board] = placesOf(readFileSync(found(`${file}.symbols`), "utf8"));
+  }
+  writeFileSync(join(outdir, "slow.json"), JSON.stringify(slow));
 }
 
 /** What the page loads besides its bundles, and the list by which it works without a network. */
@@ -68,12 +75,7 @@ async function around(outdir) {
   const css = await transform(readFileSync(join(lab, "static/page.css"), "utf8") + uplot, { loader: "css", minify: true });
   writeFileSync(join(outdir, "page.css"), css.code);
   for (const module of ["unoclp.wasm", "unoclp-full.wasm"]) cpSync(found(join("target/lab", module)), join(outdir, module));
-  cpSync(found("firmware/unoclp-uno.hex"), join(outdir, "unoclp.hex"));
-  writeFileSync(join(outdir, "unoclp.bin"), await binary(found("firmware/unoclp-uno.hex"), "uno"));
-  writeFileSync(join(outdir, "slow.json"), JSON.stringify({ uno: await places("firmware/unoclp-uno.symbols"), mega: await places("firmware/unoclp-mega.symbols") }));
-  cpSync(found("firmware/unoclp-nano.hex"), join(outdir, "unoclp-nano.hex"));
-  cpSync(found("firmware/unoclp-mega.hex"), join(outdir, "unoclp-mega.hex"));
-  writeFileSync(join(outdir, "unoclp-mega.bin"), await binary(found("firmware/unoclp-mega.hex"), "mega"));
+  await firmwares(outdir);
   const root = join(lab, "../..");
   writeFileSync(join(outdir, "lessons.json"), JSON.stringify(lessons(root)));
   writeFileSync(join(outdir, "exercises.json"), JSON.stringify(exercises(root)));

@@ -1,4 +1,4 @@
-//! `cargo xtask bench`: measures the firmware on a simulated UNO, the rest on this PC, and writes
+//! `cargo xtask bench`: measures the firmwares on simulated boards, the rest on this PC, and writes
 //! `docs/benchmarks.md`, and beside it the pages of the compiler, the editor and the machines; with `--site`,
 //! `docs/site-benchmarks.md`.
 
@@ -48,11 +48,12 @@ pub fn run(args: &Args) -> Result<()> {
         return site::run();
     }
     let toolchain = setup::for_simulator()?;
-    let firmware = firmware::build(&toolchain, Model::Uno)?;
+    let uno = firmware::build(&toolchain, Model::Uno)?;
+    let mega = firmware::build(&toolchain, Model::Mega)?;
     say("bench: compiling the simulator");
     shell::run(simulator("build").arg("--bin=bench"))?;
     say("bench: measuring; this takes a minute or two");
-    shell::run(&mut bench(&firmware, &shell::root().join(PAGE)))?;
+    shell::run(&mut bench(&uno, &mega, &shell::root().join(PAGE)))?;
     say("bench: measuring the compiler");
     shell::run(&mut page_bench("unoclp-lang", "lines", COMPILER_PAGE))?;
     say("bench: measuring the editor");
@@ -70,9 +71,10 @@ fn page_bench(package: &str, bench: &str, page: &str) -> Command {
 }
 
 /// The program that measures.
-fn bench(firmware: &Firmware, page: &Path) -> Command {
+fn bench(uno: &Firmware, mega: &Firmware, page: &Path) -> Command {
     let mut command = simulator("run");
     command.args(["--quiet", "--bin=bench", "--", "--elf"]);
-    command.arg(&firmware.elf).arg("--page").arg(page);
+    command.arg(&uno.elf).arg("--mega").arg(&mega.elf);
+    command.arg("--page").arg(page);
     command
 }

@@ -72,11 +72,20 @@ pub fn problems(text: &str, refused: &Refused) -> (Vec<Problem>, usize) {
     }
 }
 
-/// The first error of such a text: its line, and what it says.
+/// The first error of such a text: its line, and what it says, with what to do.
 pub fn first_error(text: &str, refused: &Refused) -> Option<(u32, Both)> {
     let (problems, _) = problems(text, refused);
     let first = problems.into_iter().find(|one| one.severity == "error")?;
-    Some((first.line, first.message))
+    let whole = |message: String, help: String| match help.is_empty() {
+        true => message,
+        false => format!("{message} ({help})"),
+    };
+    let Problem { message, help, .. } = first;
+    let told = Both {
+        en: whole(message.en, help.en),
+        pt: whole(message.pt, help.pt),
+    };
+    Some((first.line, told))
 }
 
 /// What is worth a second look in a program, and how much more of it there is.

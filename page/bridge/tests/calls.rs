@@ -474,6 +474,7 @@ fn a_program_that_the_board_at_hand_lacks_points_for_is_not_sent() {
                 "en",
                 [
                     "the UNO cannot run this program: line 3: ",
+                    "the board Mega has",
                     "; nothing was sent",
                 ],
             ),
@@ -481,6 +482,7 @@ fn a_program_that_the_board_at_hand_lacks_points_for_is_not_sent() {
                 "pt",
                 [
                     "o UNO não executa este programa: linha 3: ",
+                    "a placa Mega tem",
                     "; nada foi enviado",
                 ],
             ),

@@ -1,7 +1,7 @@
 // What the page and the worker with the simulated board tell each other. Nothing here but types and constants.
 
-/** A board that can be simulated: that which a firmware is for. */
-export type BoardId = "uno" | "mega";
+import type { BoardId } from "./boards";
+export type { BoardId };
 
 /** Bytes of a block of a card. */
 export const BLOCK_LEN = 512;

@@ -1,7 +1,7 @@
 // Where the points of each board stand: the standard wiring (docs/numeric-code.md, "Pins").
 
+import type { BoardId } from "./boards";
 import { ATMEGA2560, ATMEGA328P, type Model, type Port } from "./chip/model";
-import type { BoardId } from "./messages";
 
 export type Pin = readonly [port: Port, bit: number];
 

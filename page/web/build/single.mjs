@@ -2,16 +2,19 @@
 // by `fetch`. So the scripts are classic ones within it, and all that they load is held compressed.
 
 import { build } from "esbuild";
-import { readFileSync, writeFileSync } from "node:fs";
+import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 
 /** What the page loads besides its own script; of each other file of the folder only `site.html` knows, or a browser's cache. */
 const HELD = [
-  "unoclp.wasm", "unoclp-full.wasm", "unoclp.bin", "unoclp.hex", "unoclp-nano.hex", "unoclp-mega.bin", "unoclp-mega.hex",
+  "unoclp.wasm", "unoclp-full.wasm",
   "chart.css", "draw.css", "project.css", "slow.css", "slow.json",
   "lessons.json", "exercises.json", "machines.json", "examples.json",
 ];
+
+/** And the firmware of each board. */
+const FIRMWARE = /^unoclp(-\w+)?\.(bin|hex)$/;
 
 /** Writes it into the folder of a page that was built. `options` are those of its scripts, `scripts` their sources. */
 export async function single(folder, name, options, scripts) {
@@ -23,7 +26,8 @@ export async function single(folder, name, options, scripts) {
   const { page, ...workers } = scripts;
   const held = {};
   const hold = (file, bytes) => (held[file] = gzipSync(bytes, { level: 9 }).toString("base64"));
-  for (const file of HELD) hold(file, readFileSync(join(folder, file)));
+  const firmwares = readdirSync(folder).filter((file) => FIRMWARE.test(file));
+  for (const file of [...HELD, ...firmwares]) hold(file, readFileSync(join(folder, file)));
   for (const [file, source] of Object.entries(workers)) hold(`${file}.js`, await bundled(source));
 
   let html = readFileSync(join(folder, "index.html"), "utf8");

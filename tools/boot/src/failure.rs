@@ -128,8 +128,8 @@ impl Failure {
     /// What is wrong, what the board holds now, and what to do: `FW-21: …`
     pub fn text(&self, lang: Lang) -> String {
         let text = match &self.trouble {
-            Trouble::Silent => words::silent(lang),
-            Trouble::Foreign => words::foreign(lang),
+            Trouble::Silent => words::silent(lang, models()),
+            Trouble::Foreign => words::foreign(lang, models()),
             Trouble::OtherChip { signature, model } => {
                 let [is, wanted] = [*signature, model.chip().signature]
                     .map(|[a, b, c]| format!("{a:02X} {b:02X} {c:02X}"));
@@ -150,6 +150,11 @@ impl Failure {
         let left = left(self.stage, lang);
         numbered(self.number(), format!("{text}. {left}"))
     }
+}
+
+/// The boards that there are, as one is named.
+fn models() -> String {
+    Model::ALL.map(Model::name).join(", ")
 }
 
 /// What a board holds where writing has ended in this stage.

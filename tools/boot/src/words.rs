@@ -21,15 +21,15 @@ unoclp_words::messages! {
     too_large(bytes, room, model)
         "the file takes {bytes} bytes of flash, but the board {model} has room for {room}; use the firmware for that board"
         "o arquivo ocupa {bytes} bytes de flash, mas na placa {model} cabem {room}; use o firmware para essa placa";
-    silent()
-        "no boot loader answers. Is this the board's port, and is the kind of board right (uno, nano, nano-old, mega)? If the board has no \
+    silent(models)
+        "no boot loader answers. Is this the board's port, and is the kind of board right ({models})? If the board has no \
          automatic reset, press its reset button when writing starts"
-        "nenhum bootloader responde. A porta é a da placa, e o tipo de placa está certo (uno, nano, nano-old, mega)? Se a placa não tem \
+        "nenhum bootloader responde. A porta é a da placa, e o tipo de placa está certo ({models})? Se a placa não tem \
          reset automático, aperte o botão de reset assim que a gravação começar";
-    foreign()
-        "the device that answers is not a boot loader. Is this the board's port, and is the kind of board right (uno, nano, nano-old, \
-         mega)? Disconnect everything else from D0 and D1"
-        "o dispositivo que responde não é um bootloader. A porta é a da placa, e o tipo de placa está certo (uno, nano, nano-old, mega)? Desligue tudo o que \
+    foreign(models)
+        "the device that answers is not a boot loader. Is this the board's port, and is the kind of board right ({models})? \
+         Disconnect everything else from D0 and D1"
+        "o dispositivo que responde não é um bootloader. A porta é a da placa, e o tipo de placa está certo ({models})? Desligue tudo o que \
          mais usa D0 e D1";
     says_other_chip(signature, chip, wanted)
         "the chip's signature is {signature}, but an {chip} has {wanted}; this firmware does not run on that board"

@@ -129,7 +129,7 @@ fn english(rows: &[Row; 4]) -> String {
             "≤ 5 µs",
         ),
         (
-            "pace that the simulated UNO loses to a machine beside it, the worst of the sixteen",
+            "pace that a simulated board, UNO or Mega, loses to the machine beside it, the worst of all",
             "≤ 5 %",
         ),
         (
@@ -161,7 +161,7 @@ fn portuguese(rows: &[Row; 4]) -> String {
             "≤ 5 µs",
         ),
         (
-            "ritmo que o UNO simulado perde para uma máquina ao lado, o pior das dezesseis",
+            "ritmo que uma placa simulada, UNO ou Mega, perde para a máquina ao lado, o pior de todas",
             "≤ 5 %",
         ),
         (

@@ -3,11 +3,12 @@
 // obeyed in order. The page does not contain this.
 
 import { readSync, writeSync } from "node:fs";
+import { BOARDS } from "../boards";
 import { WIRINGS } from "../wiring";
 import { Bench } from "./bench";
 
 /** Requests: a byte, and what follows it. */
-const FIRMWARE = 0; // board u8: 0 UNO, 1 Mega; its flash
+const FIRMWARE = 0; // board u8: its place in BOARDS; its flash
 const START = 1; // cycles of an EEPROM write u32, length of the card u32, blocks u32, then each: number u32, 512 bytes
 const POWER = 2;
 const WRITE = 3; // address u16, length u16, bytes
@@ -19,7 +20,6 @@ const SLOW = 8; // byte addresses of symbols u32, in the order of `Places`, NOWH
 const TRAIL = 9; // answered as `Bench.trail` says
 
 const NOWHERE = 0xffff_ffff;
-const BOARDS = ["uno", "mega"] as const;
 
 /** Standard input, as much of it as one asks for. */
 class Input {

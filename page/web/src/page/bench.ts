@@ -1,6 +1,7 @@
 // The bench: one board at a time, simulated or on the desk, and what is known of it.
 
-import type { BoardId, Event, Pins } from "unoclp-uno";
+import type { Event, Pins } from "unoclp-uno";
+import { BOARDS, type BoardId, firmwareName } from "unoclp-uno/boards";
 import type { Go } from "unoclp-uno/slow";
 import type { Line } from "../line/line";
 import type { Ask, BoardFacts, Both, News, Order, Seen, Settings, Stood, Text } from "../tools/answers";
@@ -25,8 +26,7 @@ export type Upload = { readonly share: number } | "storing" | null;
 
 /** The firmware of a board that is simulated. */
 export async function firmwareOf(id: BoardId): Promise<Uint8Array> {
-  const file = id === "uno" ? "unoclp.bin" : `unoclp-${id}.bin`;
-  return new Uint8Array(await (await beside(file)).arrayBuffer());
+  return new Uint8Array(await (await beside(`${firmwareName(id)}.bin`)).arrayBuffer());
 }
 
 export class Bench {
@@ -135,7 +135,7 @@ export class Bench {
 
   /** Goes to this simulated board, which may be another one than before; settled when it answers. */
   async simulate(board: BoardFacts): Promise<void> {
-    const id: BoardId = board.id === "mega" ? "mega" : "uno";
+    const id = BOARDS.find((one) => one === board.id) ?? BOARDS[0];
     if (this.simulated.id === id) return this.where.value === "simulated" ? undefined : this.useSimulated();
     const firmware = await firmwareOf(id);
     await this.disconnect();

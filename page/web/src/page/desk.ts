@@ -1,5 +1,6 @@
 // The board on the desk: which board the page speaks to, and firmware for it.
 
+import { MODELS } from "unoclp-uno/boards";
 import type { Shared } from "../line/gateway";
 import type { Line } from "../line/line";
 import { beside, single } from "../offline/beside";
@@ -12,14 +13,6 @@ import { icon } from "./icons";
 import { later } from "./later";
 import { announce, note } from "./notes";
 import { gateway, sharedToken } from "./shared";
-
-/** The boards that firmware is for: as Rust names them, and the file of each. */
-const MODELS = [
-  { name: "uno", title: "Arduino UNO", file: "unoclp.hex" },
-  { name: "nano", title: "Arduino Nano", file: "unoclp-nano.hex" },
-  { name: "nano-old", title: "Arduino Nano (old boot loader)", file: "unoclp-nano.hex" },
-  { name: "mega", title: "Arduino Mega 2560", file: "unoclp-mega.hex" },
-] as const;
 
 /** What speaks to a board at a port, or behind this page: only who has one needs it. */
 const portLine = later(async () => (await import("../line/port")).PortLine);

@@ -2,10 +2,14 @@
 // was before. A tab is in one of them, and two tabs never in the same one; a program that is opened gets a new one, so that it
 // takes the place of nothing.
 
+import { BOARDS, type BoardId } from "unoclp-uno/boards";
 import { keep, kept } from "./kept";
 
+/** Where what the EEPROM of a simulated board holds is kept. */
+export const eepromOf = (id: BoardId): "eeprom" | `eeprom-${BoardId}` => (id === BOARDS[0] ? "eeprom" : `eeprom-${id}`);
+
 /** What a place holds, each under a key of its own. */
-const KINDS = ["program", "drawing", "eeprom", "eeprom-mega", "ways", "contacts", "board", "versions"] as const;
+const KINDS = ["program", "drawing", "ways", "contacts", "board", "versions", ...BOARDS.map(eepromOf)] as const;
 type Kind = (typeof KINDS)[number];
 
 /** Places that are kept; of more, those go first that hold what another holds too. */

@@ -4,10 +4,7 @@ import type { BoardId, Command, Event } from "unoclp-uno";
 import type { ForSlow } from "../board/messages";
 import { type BoardWorker, SimulatedLine } from "../line/simulated";
 import type { Clock } from "./conversation";
-import { keepHere, keptHere } from "./place";
-
-/** Where a browser keeps what its EEPROM holds. */
-const EEPROM = { uno: "eeprom", mega: "eeprom-mega" } as const;
+import { eepromOf, keepHere, keptHere } from "./place";
 
 export class SimulatedBoard implements Clock {
   readonly line: SimulatedLine;
@@ -64,7 +61,7 @@ export class SimulatedBoard implements Clock {
   start(id: BoardId, bytes: Uint8Array): void {
     this.id = id;
     this.tell({ kind: "firmware", board: id, bytes });
-    const eeprom = bytesOf(keptHere(EEPROM[id]));
+    const eeprom = bytesOf(keptHere(eepromOf(id)));
     if (eeprom) this.tell({ kind: "eeprom", bytes: eeprom });
     this.tell({ kind: "plug", on: true });
     this.tell({ kind: "run" });
@@ -104,7 +101,7 @@ export class SimulatedBoard implements Clock {
     else if ("at" in event) this.settle(event.at);
     if (event.kind === "time") this.asking.shift()?.();
     // A browser that keeps nothing begins with an empty EEPROM.
-    if (event.kind === "eeprom") keepHere(EEPROM[this.id], btoa(String.fromCharCode(...event.bytes)));
+    if (event.kind === "eeprom") keepHere(eepromOf(this.id), btoa(String.fromCharCode(...event.bytes)));
   }
 }
 

@@ -1,4 +1,4 @@
-// What a machine beside the simulated UNO costs: how much of the board's pace, and how many drawings of it can be made in a
+// What a machine beside its simulated board, UNO or Mega, costs: how much of the board's pace, and how many drawings of it can be made in a
 // second. Part of `npm run bench`; with `--json` it says so in a form that `cargo xtask bench` writes into the pages.
 //
 // The board runs the model solution of each machine, as in the page's worker: with the machine, which takes a step each
@@ -6,6 +6,7 @@
 // them, and what a drawing between them takes, is the median, in time of the processor. The page draws 60 times a second.
 
 import { readFileSync, readdirSync } from "node:fs";
+import { type BoardId, firmwareName } from "../../../uno/src/boards";
 import type { Machine } from "../../../uno/src/machine";
 import { Session } from "../../../uno/src/session";
 import { Wired } from "../../src/board/wired";
@@ -16,6 +17,8 @@ const TURN = 80;
 const PAIRS = 150;
 const SCREEN = 60;
 const BLOCK = 512;
+/** Says of a machine that it is wired to a Mega; the others are to an UNO. */
+const FOR_MEGA = /^board = "mega"$/m;
 
 const page = new URL("../page/", import.meta.url);
 const plants = new URL("../../../programs/plants/", import.meta.url);
@@ -41,17 +44,18 @@ function card(tools: Tools, program: string): Uint8Array {
 async function cost(module: WebAssembly.Module, name: string): Promise<{ lost: number; drawing: number }> {
   const tools = await Tools.of(module);
   const text = file(`${name}.toml`);
-  const made = tools.ask("check", { of: { name: `${name}.st`, text: file(`${name}.st`) } }).program;
+  const board: BoardId = FOR_MEGA.test(text) ? "mega" : "uno";
+  const made = tools.ask("check", { of: { name: `${name}.st`, text: file(`${name}.st`) }, board }).program;
   if (!made) throw new Error(name);
   const session = new Session(() => {}, () => 0);
-  session.obey({ kind: "firmware", board: "uno", bytes: new Uint8Array(readFileSync(new URL("unoclp.bin", page))) });
+  session.obey({ kind: "firmware", board, bytes: new Uint8Array(readFileSync(new URL(`${firmwareName(board)}.bin`, page))) });
   session.obey({ kind: "card", image: card(tools, made.code) });
   session.obey({ kind: "plug", on: true });
   const pass = (millis: number): void => {
     session.obey({ kind: "step", millis });
     while (session.turn() !== null);
   };
-  const facts = tools.ask("machine", { name: `${name}.toml`, text, speak: "en" });
+  const facts = tools.ask("machine", { name: `${name}.toml`, text, speak: "en", board });
   const wired = new Wired(tools, facts, () => {
     throw new Error(`${name} has broken down`);
   });
@@ -98,8 +102,7 @@ function median(all: readonly number[]): number {
 }
 
 const module = await WebAssembly.compile(readFileSync(new URL("unoclp-full.wasm", page)));
-// The pace is that of the simulated UNO: machines for other boards are not wired to it.
-const names = readdirSync(plants).filter((name) => name.endsWith(".toml") && !/^board = /m.test(file(name))).map((name) => name.replace(".toml", ""));
+const names = readdirSync(plants).filter((name) => name.endsWith(".toml")).map((name) => name.replace(".toml", ""));
 const rows: { name: string; lost: number; drawing: number }[] = [];
 for (const name of names) rows.push({ name, ...(await cost(module, name)) });
 const most = (of: "lost" | "drawing") => rows.reduce((one, other) => (other[of] > one[of] ? other : one));

@@ -92,8 +92,8 @@ test("a board at the port that lacks points keeps its program and says what it l
   await type(page, "LD I1\nST Q2\nLD I24\nST Q16\n");
   await page.locator("#problem-count.good").waitFor();
   for (const [speak, words] of /** @type {const} */ ([
-    ["en", /the UNO cannot run this program: line 3: .*the board Mega has this one.*nothing was sent/],
-    ["pt", /o UNO não executa este programa: linha 3: .*a placa Mega tem este ponto.*nada foi enviado/],
+    ["en", /the UNO cannot run this program: line 3: .*I24.*nothing was sent/],
+    ["pt", /o UNO não executa este programa: linha 3: .*I24.*nada foi enviado/],
   ])) {
     await select(page, "#speak", speak);
     await page.click("#run");
@@ -109,6 +109,5 @@ test("a board at the port that lacks points keeps its program and says what it l
   await type(other, "LD I1\nST Q1\n");
   await run(other);
   await holding(other, 1, () => lamp(other, 1, true));
-  assert.equal(await other.locator("[data-output]").count(), 16);
   await other.context().close();
 });

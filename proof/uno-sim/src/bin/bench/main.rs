@@ -6,6 +6,7 @@
 //! not known here.
 
 mod jobs;
+mod mega;
 mod meter;
 mod modes;
 mod polling;
@@ -30,11 +31,14 @@ use unoclp_uno_sim::Program;
 use yardsticks::Workshop;
 
 #[derive(Parser)]
-#[command(about = "Measures the firmware on a simulated UNO, beside what it is compared with")]
+#[command(about = "Measures the firmware on simulated boards, beside what it is compared with")]
 struct Arguments {
     /// The firmware, as `cargo xtask firmware` leaves it
     #[arg(long)]
     elf: PathBuf,
+    /// That of the Mega
+    #[arg(long)]
+    mega: PathBuf,
     /// The page to write
     #[arg(long)]
     page: PathBuf,
@@ -43,13 +47,13 @@ struct Arguments {
 fn main() -> Result<()> {
     // Whoever reads no more of the output wants no more of it.
     register_conditional_default(SIGPIPE, Arc::new(AtomicBool::new(true)))?;
-    let Arguments { elf, page } = Arguments::parse();
+    let Arguments { elf, mega, page } = Arguments::parse();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let root = root
         .ancestors()
         .nth(2)
         .context("this crate stands two folders deep")?;
-    let figures = measure(&Program::read(&elf)?, root)?;
+    let figures = measure(&Program::read(&elf)?, &Program::read(&mega)?, root)?;
     print!("\n{}", targets::table(&figures));
     std::fs::write(&page, report::page(&figures))
         .with_context(|| format!("cannot write {}", page.display()))?;
@@ -60,7 +64,7 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-fn measure(firmware: &Program, root: &Path) -> Result<Figures> {
+fn measure(firmware: &Program, mega: &Program, root: &Path) -> Result<Figures> {
     let template = root.join("programs/STATE.TXT");
     println!("the yardsticks …");
     let logic = |rungs: &[programs::Rung]| scans::logic(firmware, rungs);
@@ -78,6 +82,8 @@ fn measure(firmware: &Program, root: &Path) -> Result<Figures> {
     let polling = polling::measure(firmware)?;
     println!("modes and memories …");
     let modes = modes::measure(firmware, &template)?;
+    println!("a Mega …");
+    let mega = mega::measure(mega)?;
     Ok(Figures {
         yardsticks,
         work,
@@ -86,5 +92,6 @@ fn measure(firmware: &Program, root: &Path) -> Result<Figures> {
         jobs,
         polling,
         modes,
+        mega,
     })
 }

@@ -2,6 +2,7 @@
 //! where, so that the same firmware gives the same page.
 
 use crate::jobs::{self, Jobs, Saving};
+use crate::mega::{self, Mega};
 use crate::meter::{self, Times};
 use crate::modes::Modes;
 use crate::polling::Polled;
@@ -29,6 +30,8 @@ pub struct Figures {
     pub polling: Vec<Polled>,
     /// Stack, memories, start.
     pub modes: Modes,
+    /// The Mega.
+    pub mega: Mega,
 }
 
 /// What a saving may add to a scan, cycles: 0.5 ms.
@@ -46,6 +49,7 @@ pub fn page(figures: &Figures) -> String {
         jobs,
         polling,
         modes,
+        mega,
     } = figures;
     let opening = include_str!("text/opening.md").replace("VERSION", env!("CARGO_PKG_VERSION"));
     [
@@ -68,6 +72,8 @@ pub fn page(figures: &Figures) -> String {
         include_str!("text/stack.md").to_owned(),
         stack(modes),
         memories(modes),
+        include_str!("text/mega.md").to_owned(),
+        of_mega(*mega),
         include_str!("text/yardsticks.md").replace("COMPILER", &yardsticks.compiler),
         c_programs(yardsticks),
         include_str!("text/closing.md").to_owned(),
@@ -112,6 +118,38 @@ fn whole_scans(scans: &Scans, yardsticks: &Yardsticks) -> String {
         number(yardsticks.dividing.rung.mean),
         ratio(yardsticks.dividing.rung.mean, mean),
     )
+}
+
+fn of_mega(mega: Mega) -> String {
+    let mut table = Table::new(&["what", "unoclp", "µs", "target", ""]);
+    let [near, far] = mega.rungs;
+    let large = format!("whole scan: {} such rungs", mega::MANY);
+    for (what, cycles, target) in [
+        (
+            "rung of 4 contacts and a coil, points of an UNO, the dearest",
+            near,
+            20,
+        ),
+        ("the same with other points, the dearest", far, 30),
+        ("whole scan: 2 contacts and a coil", mega.small, mega::SMALL),
+        (&large, mega.large, mega::LARGE),
+    ] {
+        table.row([
+            what.to_owned(),
+            number(cycles as f64),
+            micros(cycles as f64),
+            format!("≤ {}", number(target as f64)),
+            verdict(cycles <= target),
+        ]);
+    }
+    table.row([
+        "first instruction to RUN, program of 3,500 B".to_owned(),
+        format!("{} ms", mega.start),
+        "–".to_owned(),
+        format!("≤ {} ms", number(mega::START as f64)),
+        verdict(mega.start <= mega::START),
+    ]);
+    table.to_string()
 }
 
 fn instructions(scans: &Scans) -> String {
