@@ -204,7 +204,15 @@ impl Machine<'_, '_> {
             return Err(Why::TimerInLoop);
         }
         let number = match block.target {
-            Target::Timer(called) => called,
+            Target::Timer(called) => {
+                // Its preset would stay for the timer's own block, which gives another.
+                let own = self.body.timers.get(usize::from(called).wrapping_sub(1));
+                let is_same = own.is_some_and(|(_, own)| *own == block.preset.cast_signed());
+                if !is_same || self.changes_preset(called) {
+                    return Err(Why::NoWords);
+                }
+                called
+            }
             _ => {
                 let preset = block.preset.cast_signed();
                 self.body.timers.push((step.opcode, preset));
