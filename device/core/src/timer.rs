@@ -14,6 +14,13 @@ pub struct TimerBlock {
     pub target: Target,
 }
 
+impl TimerBlock {
+    /// Whether it is a timer of its own, which has a number.
+    pub const fn is_own(self) -> bool {
+        !matches!(self.target, Target::Timer(_))
+    }
+}
+
 /// What a timer drives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
@@ -21,6 +28,8 @@ pub enum Target {
     Output(u8),
     /// The marker with this number, from 1.
     Marker(u8),
+    /// Nothing: the block is no timer of its own, but calls the one with this number again (NC-30).
+    Timer(u8),
 }
 
 /// Which way a timer delays.

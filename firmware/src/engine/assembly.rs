@@ -33,6 +33,8 @@ macro_rules! assembly {
             $(concat!("        .equ    OWN_", stringify!($name), ", ", $own),)*
             include_str!("rules.s"),
             include_str!("first.s"),
+            include_str!("counters.s"),
+            include_str!("keep.s"),
             include_str!("more.s"),
             include_str!("handlers.s"),
             include_str!("timers.s"),
@@ -40,7 +42,6 @@ macro_rules! assembly {
             include_str!("numbers.s"),
             include_str!("link.s"),
             include_str!("words.s"),
-            include_str!("keep.s"),
             $($constant = const $value,)*
         );
     };
@@ -70,6 +71,7 @@ unoclp_core::instructions!(assembly {
     TIMER_DATA = isa::TIMER_DATA;
     COUNTER_DATA = isa::COUNTER_DATA;
     MARKER_TARGET = isa::MARKER_TARGET;
+    TIMER_TARGET = isa::TIMER_TARGET;
     NEAR_REGISTERS = BOARD.engine.near_registers;
     POPPED = isa::POPPED;
     BYTE_CONSTANT = isa::BYTE_CONSTANT;

@@ -165,5 +165,3 @@ table:
         sts     ENGINE_ERROR, r21
         clc
         ret
-first_page_end:
-        .space  0x200 - VECTORS * (3 - NEAR) - (first_page_end - engine_first_page)

@@ -5,9 +5,8 @@
 ;   r20      how many
 ;   r18      bit 0: the snapshot is taken, else the numbers are brought back
 ;
-; Gives in r24 whether anything has changed by that.
+; Gives in r24 whether anything has changed by that. It stands in the room that the first handlers leave.
 
-        .section .text.engine_keep, "ax", @progbits
         .global engine_keep
         .type   engine_keep, @function
 engine_keep:
@@ -35,4 +34,3 @@ engine_keep:
 4:      pop     r29
         pop     r28
         ret
-        .text

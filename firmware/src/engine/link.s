@@ -755,28 +755,37 @@ link_target:
         std     Z+1, r24
 1:      ret
 
-; A timer: its data, then its coil.
+; A timer: its data, then its coil; or another call of one.
 link_timer:
-        rcall   link_handler
-        ldi     r17, TIMER_DATA
-1:      clr     r24
-        cpi     r17, TIMER_DATA - 4
-        brcc    2f
+        ldi     r17, 4
+1:      rcall   link_next
+        push    r24
+        dec     r17
+        brne    1b
         rcall   link_next
-2:      ldd     r30, Y+JOB_TIMER
+        mov     r17, r24
+        cpi     r17, TIMER_TARGET ; timers from here on
+        brcc    link_again
+        rcall   link_handler
+        ldd     r30, Y+JOB_TIMER
         ldd     r31, Y+JOB_TIMER+1
         ldd     r18, Y+JOB_TIMERS_END
         ldd     r19, Y+JOB_TIMERS_END+1
         cp      r30, r18
         cpc     r31, r19
-        brcc    3f
-        st      Z+, r24
+        brcc    1f              ; of a changed program: over the last
+        adiw    r30, TIMER_DATA
         std     Y+JOB_TIMER, r30
         std     Y+JOB_TIMER+1, r31
-3:      dec     r17
-        brne    1b
-        rcall   link_next
-        mov     r17, r24
+1:      ldi     r25, 4
+2:      pop     r24             ; the highest byte first
+        st      -Z, r24
+        dec     r25
+        brne    2b
+        ldi     r25, TIMER_DATA - 4
+3:      st      -Z, r1
+        dec     r25
+        brne    3b
         cpi     r17, MARKER_TARGET ; markers from here on
         brcc    4f
         rjmp    link_coil
@@ -792,6 +801,27 @@ link_timer:
         mov     r12, r24
         rjmp    link_object
         .endif
+; A timer is called again: its preset and its address, then its handler as it stands, and which timer is next.
+link_again:
+        subi    r17, TIMER_TARGET - 1
+        rcall   link_flush
+        ldi     r24, pm_lo8(engine_escape)
+        rcall   link_put
+        ldi     r24, pm_lo8(engine_again)
+        rcall   link_put
+        ldi     r16, 4
+1:      pop     r24
+        rcall   link_put
+        dec     r16
+        brne    1b
+        ldi     r24, KIND_TIMER_Q
+        mov     r12, r24
+        rcall   link_find
+        rcall   link_address
+        rcall   link_handler
+        ldi     r24, pm_lo8(engine_timer)
+        rcall   link_more
+        rjmp    link_next_timer
 
 ; An instruction with a number.
 link_numbered:
@@ -1000,6 +1030,7 @@ link_label:
 link_label_timer:
         ldi     r24, RUNG
         std     Y+JOB_PENDING, r24
+link_next_timer:
         ldd     r24, Y+JOB_TIMER
         ldd     r25, Y+JOB_TIMER+1
         rjmp    link_address

@@ -1,6 +1,8 @@
 ; The handlers that begin in words 0x100 to 0x1FF, reached by an escape. Their rules are at the head of
 ; `rules.s`; they end by going `back`.
 
+first_page_end:
+        .space  0x200 - VECTORS * (3 - NEAR) - (first_page_end - engine_first_page)
 engine_more_page:
 
 ; Logic.
@@ -292,9 +294,24 @@ engine_integrate:
 
 ; A label sets what a jump has passed over: acc, and which timer is next.
 engine_label:
+        set
+engine_timer:
         ld      r29, X+
         ld      r28, X+
-        set
+        rjmp    back
+; A timer is called again: its preset, the high byte first, then its address. The handler of its kind follows, and then
+; which timer is next.
+engine_again:
+        ld      r11, X+
+        ld      r10, X+
+        ld      r9, X+
+        ld      r8, X+
+        ld      r29, X+
+        ld      r28, X+
+        std     Y+5, r8
+        std     Y+6, r9
+        std     Y+7, r10
+        std     Y+8, r11
         rjmp    back
 engine_jump:
         rcall   where

@@ -2,7 +2,7 @@
 
 use super::stream::Random;
 use unoclp_core::isa::{self, Class, Kind, Opcode, Operand, Value};
-use unoclp_core::{Board, Delay, Instruction, KEPT, Target, TimerBlock};
+use unoclp_core::{Board, Instruction, KEPT, Target, TimerBlock};
 
 /// A rung, with the new rung that begins it.
 type Rung = Vec<Instruction<'static>>;
@@ -67,6 +67,23 @@ fn some(random: &mut Random, count: u8) -> u128 {
     }
 }
 
+/// Has timers call one of their kind that stands before them again (NC-30).
+fn call_again(random: &mut Random, instructions: &mut [Instruction<'static>]) {
+    let mut before: Vec<Opcode> = Vec::new();
+    for step in instructions {
+        let Operand::Timer(block) = &mut step.operand else {
+            continue;
+        };
+        let own = (1..=isa::CALLED_AGAIN).zip(&before);
+        let alike = own.filter(|(_, kind)| **kind == step.opcode);
+        let alike: Vec<u8> = alike.map(|(number, _)| number).collect();
+        match random.pick(&alike) {
+            Some(number) if random.percent(50) => block.target = Target::Timer(number),
+            _ => before.push(step.opcode),
+        }
+    }
+}
+
 /// The instructions of these rungs, in which every timer and label that is named exists. Most jumps lead
 /// forward, and in most programs all do.
 pub(super) fn resolve(
@@ -86,9 +103,10 @@ pub(super) fn resolve(
     for _ in count(Opcode::EndIf)..count(Opcode::If) {
         instructions.push(Instruction::plain(Opcode::EndIf));
     }
-    let timers = instructions
-        .iter()
-        .filter(|step| Delay::of(step.opcode).is_some());
+    if random.percent(30) {
+        call_again(random, &mut instructions);
+    }
+    let timers = instructions.iter().filter(|step| step.is_own_timer());
     let timers = timers.count().min(board.timers.into()) as u8;
     // Each label once: the first of its number stays.
     let mut labels: Vec<(usize, u8)> = Vec::new();

@@ -92,7 +92,7 @@ impl Ladder {
                 // A jump comes to a label, and not to the code before it.
                 rail = self.nets.add(Feed::Step(step));
             } else {
-                *timers = timers.saturating_add(u8::from(class == Class::Timer));
+                *timers = timers.saturating_add(u8::from(instruction.is_own_timer()));
                 builder.push(step, *instruction, *timers);
             }
         }

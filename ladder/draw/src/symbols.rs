@@ -6,12 +6,13 @@ use crate::tree::Gate;
 use crate::value::Load;
 use crate::words::{VALUE, amount, picture, words};
 use crate::{Element, Symbol};
-use unoclp_core::Instruction;
 use unoclp_core::isa::{Class, Operand};
+use unoclp_core::{Instruction, Target};
 use unoclp_point::Address;
 
 impl Element {
-    /// The symbols of an instruction that has some: one, or of a timer its box and its coil.
+    /// The symbols of an instruction that has some: one, or of a timer its box and its coil. One that is called again has
+    /// another box.
     ///
     /// `timer` is the number of the timer that a block here would be; `value` what the value accumulator
     /// is known to hold.
@@ -23,11 +24,17 @@ impl Element {
     ) -> Vec<Element> {
         let words = words(instruction, value.unwrap_or(VALUE));
         if let Operand::Timer(block) = instruction.operand {
-            let point = Address::Timer(timer);
+            let point = match block.target {
+                Target::Timer(called) => Address::Timer(called),
+                _ => Address::Timer(timer),
+            };
             let preset = amount(block.preset.cast_signed());
             let text = format!("{words} {point} {preset} ms");
             let mut timer = Element::boxed(step, Role::Function, text, Some(point));
             timer.pins = Pins::of(instruction);
+            if !block.is_own() {
+                return vec![timer];
+            }
             let mut coil = Element::coil(step, ' ', block.target.into());
             coil.steps.clear();
             return vec![timer, coil];

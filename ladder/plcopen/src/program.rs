@@ -19,8 +19,8 @@ use crate::xml::{self, all, first, text};
 use std::collections::HashSet;
 use std::sync::Arc;
 use unoclp_checked::Checked;
-use unoclp_core::Board;
-use unoclp_core::isa::{Kind, OUTPUT_OPERAND};
+use unoclp_core::isa::Kind;
+use unoclp_core::{Board, Target};
 use unoclp_draw::edit::Document;
 use unoclp_lang::{Code, TextLanguage, Told};
 
@@ -156,7 +156,9 @@ fn touches_points(program: &Checked) -> bool {
     let mut steps = program.program().steps();
     steps.any(|step| match step.opcode.row().kind {
         Kind::Input | Kind::Output | Kind::Analogue | Kind::Pwm | Kind::Filter => true,
-        Kind::Timer => step.codes().last() >= Some(OUTPUT_OPERAND),
+        Kind::Timer => step
+            .timer()
+            .is_some_and(|block| matches!(block.target, Target::Output(_))),
         _ => false,
     })
 }

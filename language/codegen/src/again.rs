@@ -1,13 +1,15 @@
-//! Timers that are called in more places than one: the board's own are one place in the program each. A loop may come there
-//! as often as it likes.
+//! Timers that are called in more places than one. A loop may come to each of them as often as it likes.
 //!
-//! Owns what takes their place: calls that only reset a TON become its reset; what is left of several calls becomes steps
-//! that keep the timer in cells, by the time stamp of the scan. Must not know markers, registers and instructions.
+//! Owns which of them the board calls again (NC-30), and what takes the place of the others: calls that only reset a TON
+//! become its reset; what is left of several calls becomes steps that keep the timer in cells, by the time stamp of the
+//! scan. Must not know markers, registers and instructions.
 
+use super::codes::is_timer;
 use super::flat::{Does, Flat, Step, both, compare, constant, not, place, read, whole, within};
 use super::ranges::bounds;
 use super::uses::Uses;
 use std::collections::{HashMap, HashSet};
+use unoclp_core::isa;
 use unoclp_text::diagnostics::Span;
 use unoclp_tree::{Base, Binary, Cell, Compare, Expr, ExprKind, Order, Standard, Store, Value};
 
@@ -21,8 +23,7 @@ const BEFORE: u32 = 4;
 /// When its time began to run.
 const BEGAN: u32 = 5;
 
-/// A call of a TON with IN = FALSE makes it what it was before it ever started, as `RWT` does, whatever PT is. Where one call
-/// alone does more, the timer stays the board's.
+/// A call of a TON with IN = FALSE makes it what it was before it ever started, as `RWT` does, whatever PT is.
 pub(super) fn reset(flat: &mut Flat) {
     let mut calls = HashMap::new();
     count(&flat.body, &mut calls);
@@ -42,8 +43,8 @@ struct Calls {
     others: u32,
     /// Whether each of those gives IN.
     gives: bool,
-    /// The preset that the only one gives, where that is known.
-    preset: Option<Value>,
+    /// Whether each of those gives a preset that is known.
+    sets: bool,
 }
 
 /// What the steps right before a call give it: the part and the value of each.
@@ -85,7 +86,7 @@ fn count(steps: &[Step], calls: &mut HashMap<u32, Calls>) {
                 calls.others += 1;
                 calls.gives = of(IN).is_some() && (is_only || calls.gives);
                 let preset = of(PT).and_then(|(_, preset)| known(preset));
-                calls.preset = preset.filter(|_| is_only).cloned();
+                calls.sets = preset.is_some() && (is_only || calls.sets);
             }
         }
         for inner in within(&step.does) {
@@ -103,11 +104,9 @@ fn with_resets(steps: Vec<Step>, calls: &HashMap<u32, Calls>, uses: &Uses) -> Ve
         {
             let gives = given(&out, cell).count();
             let is_needed = |step: &Step| match &step.does {
-                Does::Assign(to, value, _) => {
+                Does::Assign(to, ..) => {
                     let is_read = uses.get(to.offset).is_some_and(|of| of.reads > 0);
-                    let is_other = to.offset == cell + PT
-                        && (calls.preset.is_none() || known(value) != calls.preset.as_ref());
-                    is_read || is_other
+                    is_read || to.offset == cell + PT && !calls.sets
                 }
                 _ => true,
             };
@@ -127,7 +126,8 @@ fn with_resets(steps: Vec<Step>, calls: &HashMap<u32, Calls>, uses: &Uses) -> Ve
 pub(super) fn keep(flat: &mut Flat, uses: Uses) -> Uses {
     let again = uses.blocks.iter();
     let again = again.filter(|(_, called)| called.block.is_timer() && called.count > 1);
-    let again: HashSet<u32> = again.map(|(cell, _)| *cell).collect();
+    let mut again: HashSet<u32> = again.map(|(cell, _)| *cell).collect();
+    boards(flat, &uses, &mut again);
     if again.is_empty() {
         return uses;
     }
@@ -171,6 +171,60 @@ pub(super) fn keep(flat: &mut Flat, uses: Uses) -> Uses {
     steps.extend(keeper.steps(body));
     flat.body = steps;
     Uses::of(flat)
+}
+
+/// Takes those away that the board can call again: each call gives IN, and a preset that is known. What an off-delay shows
+/// as its time is by an edge, which knows one call; and what is kept over a power cut is no timer of the board.
+fn boards(flat: &Flat, uses: &Uses, again: &mut HashSet<u32>) {
+    let timers = uses
+        .blocks
+        .values()
+        .filter(|called| called.block.is_timer());
+    if timers.count() + written(&flat.body) > isa::CALLED_AGAIN.into() {
+        return;
+    }
+    let mut fit = again.clone();
+    fit.retain(|cell| {
+        let is_kept = flat.cells.get(*cell as usize).is_none_or(|of| of.retain);
+        let shows = uses.get(cell + ET).is_some_and(|of| of.reads > 0);
+        let is_off = uses
+            .blocks
+            .get(cell)
+            .is_some_and(|of| of.block == Standard::Tof);
+        !(is_kept || shows && is_off || uses.preset.contains(cell))
+    });
+    each_call(&flat.body, &mut |cell, inputs| {
+        let given = |part: u32| inputs.iter().find(|(of, _)| *of == part);
+        let is_known = |(_, value): &(u32, Expr)| known(value).is_some();
+        if given(IN).is_none() || !given(PT).is_some_and(is_known) {
+            fit.remove(&cell);
+        }
+    });
+    again.retain(|cell| !fit.contains(cell));
+}
+
+/// How many timers the text writes by their codes.
+fn written(steps: &[Step]) -> usize {
+    let of = |step: &Step| {
+        let own = match &step.does {
+            Does::Codes(_, codes, _) => codes.first().is_some_and(|(code, _)| is_timer(*code)),
+            _ => false,
+        };
+        let inner = within(&step.does).into_iter().map(|steps| written(steps));
+        usize::from(own) + inner.sum::<usize>()
+    };
+    steps.iter().map(of).sum()
+}
+
+fn each_call(steps: &[Step], found: &mut impl FnMut(u32, &[(u32, Expr)])) {
+    for step in steps {
+        if let Does::Standard(_, cell, inputs) = &step.does {
+            found(*cell, inputs);
+        }
+        for inner in within(&step.does) {
+            each_call(inner, found);
+        }
+    }
 }
 
 struct Keeper {

@@ -81,6 +81,14 @@ impl Coder<'_, '_> {
         }
     }
 
+    /// Whether the calls of a block give this input different values.
+    fn differs(&self, cell: u32, part: u32) -> bool {
+        self.uses
+            .given
+            .get(&(cell + part))
+            .is_some_and(Option::is_none)
+    }
+
     fn is_called_again(&self, cell: u32) -> bool {
         let called = self.uses.blocks.get(&cell);
         called.is_some_and(|called| called.count > 1)
@@ -207,8 +215,13 @@ impl Coder<'_, '_> {
             return false;
         };
         let at = self.pen.at;
+        let is_again = self.pen.has_timer(timer);
+        // Another call may have left its preset there.
+        let stays = is_again || !(self.is_called_again(cell) && self.differs(cell, 1));
         let fixed = match &preset.kind {
-            ExprKind::Constant(value) if !self.sets_again(cell, 1) => value.int().max(0) as i32,
+            ExprKind::Constant(value) if stays && !self.sets_again(cell, 1) => {
+                value.int().max(0) as i32
+            }
             _ => {
                 self.pen.fresh();
                 self.value(preset);
@@ -224,12 +237,17 @@ impl Coder<'_, '_> {
             _ => Opcode::Pulse,
         };
         // A coil of Q right after it is the timer's own.
-        let own = next.and_then(|next| self.coil_of(next, cell + 2));
-        let target = match own {
-            Some((target, _)) => target,
-            None => self.idle_target(at),
-        };
-        self.pen.timer(opcode, timer, fixed, Some(target), cell);
+        let own = next.filter(|_| !is_again);
+        let own = own.and_then(|next| self.coil_of(next, cell + 2));
+        if is_again {
+            self.pen.timer_again(opcode, timer, fixed, cell);
+        } else {
+            let target = match own {
+                Some((target, _)) => target,
+                None => self.idle_target(at),
+            };
+            self.pen.timer(opcode, timer, fixed, Some(target), cell);
+        }
         self.shows(Shows::Power { inverted: false });
         if let (Some(_), Some(next)) = (own, next) {
             let call = std::mem::replace(&mut self.pen.at, next.at);

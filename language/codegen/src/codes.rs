@@ -2,7 +2,7 @@
 //!
 //! Owns what is known of the board behind one. Must not know how a text writes them.
 
-use unoclp_core::isa::{Class, Kind, Row, TABLE};
+use unoclp_core::isa::{Class, Kind, Row, TABLE, TIMER_OPERAND};
 use unoclp_point::Address;
 use unoclp_text::diagnostics::Span;
 
@@ -20,6 +20,11 @@ fn is(code: i32, class: Class) -> bool {
 /// Whether a timer's block begins with this code, so that it takes a number.
 pub(super) fn is_timer(code: i32) -> bool {
     is(code, Class::Timer)
+}
+
+/// Whether a timer's block with this last line calls another again.
+pub(super) fn is_call(target: i32) -> bool {
+    (TIMER_OPERAND..TIMER_OPERAND + 100).contains(&target)
 }
 
 /// The markers, registers and counters that an instruction names, so that nothing else is put there.

@@ -12,7 +12,7 @@ use crate::emit::{CodeLine, letters};
 use crate::origin::Origin;
 use std::collections::{HashMap, HashSet};
 use unoclp_core::isa::{self, JUMP_BUDGET, Opcode, Operand, Value};
-use unoclp_core::{Board, Instruction, TimerBlock};
+use unoclp_core::{Board, Instruction, Target, TimerBlock};
 use unoclp_point::Address;
 use unoclp_text::Dialect;
 use unoclp_text::diagnostics::{Code, Found, Lines, Span};
@@ -197,7 +197,8 @@ pub(super) fn finish(
     let mut timers = vec![0; coder.seats.timers.len()];
     let labels = number_labels(coder, board, found);
     let mut number = 0_u8;
-    for line in &coder.pen.lines {
+    for (at, line) in coder.pen.lines.iter().enumerate() {
+        let behind = coder.pen.lines.get(at + 2);
         match line.written {
             Written::Timer(_, timer, ..) => {
                 number = number.saturating_add(1);
@@ -205,7 +206,9 @@ pub(super) fn finish(
                     *held = number;
                 }
             }
-            Written::Code(code) if codes::is_timer(code) => number = number.saturating_add(1),
+            Written::Code(code) if codes::is_timer(code) && !calls_again(behind) => {
+                number = number.saturating_add(1);
+            }
             _ => {}
         }
     }
@@ -252,6 +255,13 @@ pub(super) fn finish(
                     None => Operand::None,
                 },
             },
+            Written::Again(opcode, index, preset) => Instruction {
+                opcode: *opcode,
+                operand: Operand::Timer(TimerBlock {
+                    preset: preset.cast_unsigned(),
+                    target: Target::Timer(timer(*index)),
+                }),
+            },
             Written::OfTimer(opcode, index) => Instruction::numbered(*opcode, timer(*index)),
         };
         let name = line.cell.and_then(|cell| names.get(&cell));
@@ -283,6 +293,11 @@ pub(super) fn finish(
         origins,
         timers,
     }
+}
+
+/// Whether a timer's block that the text says, whose last line this is, calls another again.
+fn calls_again(line: Option<&Line>) -> bool {
+    line.is_some_and(|line| matches!(line.written, Written::Code(code) if codes::is_call(code)))
 }
 
 /// What is kept, each where it is declared, in that order; the register that says whether anything is comes last.
@@ -409,7 +424,7 @@ fn size(line: &Line) -> u32 {
     match &line.written {
         Written::Label(_) | Written::OfTimer(..) | Written::Code(_) => 2,
         Written::Jump(..) => 2 + 2,
-        Written::Timer(..) => 6,
+        Written::Timer(..) | Written::Again(..) => 6,
         Written::Is(Instruction { opcode, operand }) => match operand {
             Operand::Value(Value::Constant(_)) | Operand::Count { .. } => 6,
             Operand::Table { .. } => 3,

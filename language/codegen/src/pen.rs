@@ -16,6 +16,8 @@ pub(super) enum Written {
     Jump(Opcode, u32, Option<usize>),
     /// A timer's block, by the timer's index, with its preset and what it drives.
     Timer(Opcode, usize, i32, Option<Target>),
+    /// Another call of it, with its preset.
+    Again(Opcode, usize, i32),
     /// What names a timer.
     OfTimer(Opcode, usize),
     /// A line of the program file that the text says.
@@ -145,6 +147,19 @@ impl Pen {
     ) {
         self.line(Written::Timer(opcode, timer, preset, target), Some(cell));
         self.acc = Acc::Other;
+    }
+
+    /// Another call of a timer whose block stands before it.
+    pub(super) fn timer_again(&mut self, opcode: Opcode, timer: usize, preset: i32, cell: u32) {
+        self.line(Written::Again(opcode, timer, preset), Some(cell));
+        self.acc = Acc::Other;
+    }
+
+    /// Whether the block of this timer has been written.
+    pub(super) fn has_timer(&self, timer: usize) -> bool {
+        let is_own =
+            |line: &Line| matches!(line.written, Written::Timer(_, own, ..) if own == timer);
+        self.lines.iter().any(is_own)
     }
 
     /// An instruction that the text says, after which acc is 1 and a rung begins, or neither is known.

@@ -60,11 +60,12 @@ impl Address {
         Some(opcodes[usize::from(negated)])
     }
 
-    /// It as what a timer drives; none where no timer drives it.
+    /// It as what a timer drives, or as the timer that a block calls again; none where it is neither.
     pub const fn target(self) -> Option<Target> {
         match self {
             Address::Output(number) => Some(Target::Output(number)),
             Address::Marker(number) => Some(Target::Marker(number)),
+            Address::Timer(number) => Some(Target::Timer(number)),
             _ => None,
         }
     }
@@ -84,6 +85,7 @@ impl From<Target> for Address {
         match target {
             Target::Output(number) => Address::Output(number),
             Target::Marker(number) => Address::Marker(number),
+            Target::Timer(number) => Address::Timer(number),
         }
     }
 }
@@ -103,7 +105,7 @@ mod tests {
 
     #[test]
     fn what_a_board_knows_of_points_is_taken_back() {
-        for target in [Target::Output(4), Target::Marker(64)] {
+        for target in [Target::Output(4), Target::Marker(64), Target::Timer(22)] {
             assert_eq!(Address::from(target).target(), Some(target));
         }
         for number in [Number::Register(98), Number::Counter(16)] {

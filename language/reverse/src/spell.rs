@@ -7,7 +7,7 @@ use unoclp_il::words::{named, operator, words};
 /// The lines of a rung; none where Instruction List has no words for it. Timers are named in file order, so
 /// those before it are counted.
 pub(crate) fn rung(steps: &[Instruction<'_>], timers: &mut u8) -> Option<Vec<String>> {
-    let own = steps.iter().filter(|step| step.timer().is_some()).count() as u8;
+    let own = steps.iter().filter(|step| step.is_own_timer()).count() as u8;
     let steps = match steps {
         [first, rest @ ..] if first.opcode == Opcode::NewRung => rest,
         steps => steps,
@@ -233,8 +233,10 @@ impl<'c> Speller<'_, 'c> {
         match step.timer() {
             Some(block) => {
                 self.timers += 1;
+                // A line of Instruction List is a timer of its own.
+                let driven = target(block.target)?;
                 self.line(operator, &format!("T{}, {}", self.timers, block.preset));
-                self.line("ST", &target(block.target));
+                self.line("ST", &driven);
             }
             None => self.line(operator, &operand),
         }
@@ -270,9 +272,11 @@ fn comparison(step: Instruction<'_>) -> bool {
     step.opcode.class() == Class::Comparison
 }
 
-fn target(target: Target) -> String {
+/// What a timer drives; none where it calls another again.
+fn target(target: Target) -> Option<String> {
     match target {
-        Target::Output(n) => format!("Q{n}"),
-        Target::Marker(n) => format!("M{n}"),
+        Target::Output(n) => Some(format!("Q{n}")),
+        Target::Marker(n) => Some(format!("M{n}")),
+        Target::Timer(_) => None,
     }
 }

@@ -4,7 +4,7 @@ use crate::{Amiss, Offer, words};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use unoclp_core::Board;
-use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode, POPPED, RETENTIVE};
+use unoclp_core::isa::{Class, Kind, Opcode, POPPED, RETENTIVE};
 use unoclp_draw::edit::{
     Cursor, Document, Draft, Element, Node, Operation, Row, Step, Table, visit,
 };
@@ -214,7 +214,9 @@ fn meant(
     sure: bool,
 ) -> Result<(), Amiss> {
     match point {
-        Some(Address::Timer(_)) if step.opcode().row().kind == Kind::Timer => {
+        Some(calls @ Address::Timer(_))
+            if step.opcode().row().kind == Kind::Timer && step.target() != calls.target() =>
+        {
             let kinds = [Address::Marker as fn(u8) -> Address, Address::Output];
             let points = kinds
                 .into_iter()
@@ -288,12 +290,7 @@ fn used(document: &Document) -> BTreeSet<Address> {
 fn point(step: &Step) -> Option<Address> {
     let kind = step.opcode().row().kind;
     if kind == Kind::Timer {
-        let line = step.lines().get(1).copied().flatten()?;
-        let (of, base): (fn(u8) -> Address, i32) = match line {
-            OUTPUT_OPERAND.. => (Address::Output, OUTPUT_OPERAND),
-            _ => (Address::Marker, MARKER_OPERAND),
-        };
-        return u8::try_from(line - base).ok().map(of);
+        return step.target().map(Address::from);
     }
     let number = step.number().filter(|_| !kind.is_value())?;
     Address::in_code(kind, number)

@@ -1,8 +1,8 @@
 //! How a board runs a program, and what that takes of run memory.
 
 use crate::isa::{
-    self, Class, KINDS, Line, MARKER_TARGET, Opcode, REGISTERS, TABLE, TIMER_DATA, packed_rows,
-    packed_run_bytes,
+    self, Class, KINDS, Line, MARKER_TARGET, Opcode, REGISTERS, TABLE, TIMER_DATA, TIMER_TARGET,
+    packed_rows, packed_run_bytes,
 };
 use core::fmt;
 
@@ -73,6 +73,7 @@ impl Engine {
         match line {
             _ if !self.links => 0,
             Line::Step => 1,
+            Line::Target if stored >= TIMER_TARGET => 2,
             Line::Target if stored >= self.fast_outputs => 1,
             _ => 0,
         }

@@ -32,9 +32,9 @@ pub const fn holds_point(byte: u8) -> bool {
 #[cfg(any(not(target_arch = "avr"), mega))]
 mod wide {
     use super::holds_point;
-    #[cfg(not(target_arch = "avr"))]
-    use crate::isa::MARKER_TARGET;
     use crate::isa::{FIRST_POINT, POINTS};
+    #[cfg(not(target_arch = "avr"))]
+    use crate::isa::{MARKER_TARGET, TIMER_TARGET};
 
     /// The first byte of the first row's points above 16, and the first after those of the last row, a reset coil's.
     const FAR: u8 = 0x88;
@@ -69,12 +69,11 @@ mod wide {
         }
     }
 
-    /// How the output with this number is stored as a timer's target; of none that exists, for 00.
+    /// How the output with this number, from 1, is stored as a timer's target.
     #[cfg(not(target_arch = "avr"))]
     pub(crate) const fn stored_target(xx: u8) -> u8 {
         match xx {
-            0 => FAR_TARGET - MARKER_TARGET + 99,
-            1..=MARKER_TARGET => xx - 1,
+            ..=MARKER_TARGET => xx.saturating_sub(1),
             _ => FAR_TARGET - 1 - MARKER_TARGET + xx,
         }
     }
@@ -83,8 +82,8 @@ mod wide {
     #[cfg(not(target_arch = "avr"))]
     pub(crate) const fn far_output(stored: u8) -> Option<u8> {
         match stored.checked_sub(FAR_TARGET) {
-            Some(index) => Some(index + MARKER_TARGET),
-            None => None,
+            Some(index) if stored < TIMER_TARGET => Some(index + MARKER_TARGET),
+            _ => None,
         }
     }
 }

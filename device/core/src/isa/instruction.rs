@@ -2,7 +2,7 @@
 
 use super::{
     BYTE_CONSTANT, Class, Kind, MARKER_OPERAND, MARKER_TARGET, OUTPUT_OPERAND, Opcode, POPPED,
-    REGISTER_OPERAND, WORD_CONSTANT, holds_point,
+    REGISTER_OPERAND, TIMER_OPERAND, TIMER_TARGET, WORD_CONSTANT, holds_point,
 };
 use crate::{Millis, Target, TimerBlock};
 use core::fmt;
@@ -216,6 +216,11 @@ impl<'c> Instruction<'c> {
         }
     }
 
+    /// Whether it is a timer of its own, which has a number.
+    pub const fn is_own_timer(self) -> bool {
+        matches!(self.operand, Operand::Timer(block) if block.is_own())
+    }
+
     /// The lines of a program file that say this instruction: its code, then its operands.
     pub fn codes(self) -> impl Iterator<Item = i32> + use<'c> {
         let row = self.opcode.row();
@@ -274,6 +279,9 @@ impl Target {
         if let Some(output) = super::far_output(byte) {
             return Target::Output(output + 1);
         }
+        if byte >= TIMER_TARGET {
+            return Target::Timer(byte - TIMER_TARGET + 1);
+        }
         match byte.checked_sub(MARKER_TARGET) {
             Some(marker) => Target::Marker(marker + 1),
             None => Target::Output(byte.saturating_add(1)),
@@ -285,16 +293,18 @@ impl Target {
         match self {
             Target::Output(number) => OUTPUT_OPERAND + i32::from(number),
             Target::Marker(number) => MARKER_OPERAND + i32::from(number),
+            Target::Timer(number) => TIMER_OPERAND + i32::from(number),
         }
     }
 }
 
 impl fmt::Display for Target {
-    /// `O 04`, `M 12`
+    /// `O 04`, `M 12`, `T 03`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Target::Output(number) => write!(f, "O {number:02}"),
             Target::Marker(number) => write!(f, "M {number:02}"),
+            Target::Timer(number) => write!(f, "T {number:02}"),
         }
     }
 }

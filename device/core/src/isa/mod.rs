@@ -60,6 +60,10 @@ pub struct Row {
 
 /// A stored target of a timer from this byte on is a marker, below it an output.
 pub const MARKER_TARGET: u8 = 0x40;
+/// From this byte on it is the timer that the block calls again, T 01 first. Those before are the outputs above 64.
+pub const TIMER_TARGET: u8 = 0xE3;
+/// Timers T 01 to this number can be called again (NC-30).
+pub const CALLED_AGAIN: u8 = 22;
 
 /// The first stored byte of the rows whose bytes hold a point, and the first after them.
 pub const FIRST_POINT: u8 = 0x10;
@@ -91,6 +95,8 @@ pub const START: i32 = 0;
 pub const OUTPUT_OPERAND: i32 = 7900;
 /// The code of a marker as an operand line: `77XX` with XX = 00.
 pub const MARKER_OPERAND: i32 = 7700;
+/// The code of a timer as an operand line: `84XX` with XX = 00.
+pub const TIMER_OPERAND: i32 = 8400;
 /// The code of a register as an operand line: `68XX` with XX = 00.
 pub const REGISTER_OPERAND: i32 = 6800;
 

@@ -1,7 +1,7 @@
 //! The operand lines after a code.
 
 use super::{Expect, Loader};
-use crate::isa::{self, Kind, Line, MARKER_TARGET, xx};
+use crate::isa::{self, Kind, Line, MARKER_TARGET, TIMER_TARGET, xx};
 use crate::{Cause, Facts};
 
 /// The longest time of a filter, ms (NC-17).
@@ -19,6 +19,11 @@ impl<F: Facts> Loader<'_, F> {
             Line::Step => step(code),
             _ => Some(code),
         };
+        #[cfg(not(target_arch = "avr"))]
+        if line == Line::Target && code == isa::OUTPUT_OPERAND && self.has_far_targets() {
+            self.expect = self.behind(line);
+            return Err(Cause::NoSuchOutput);
+        }
         #[cfg(not(target_arch = "avr"))]
         let number = match xx(code, isa::OUTPUT_OPERAND) {
             Some(output) if line == Line::Target && self.has_far_targets() => {
@@ -179,6 +184,9 @@ impl<F: Facts> Loader<'_, F> {
                 false => Err(Cause::NoSuchOutput),
             };
         }
+        if stored >= TIMER_TARGET {
+            return Ok(()); // The room knows the timers before.
+        }
         if stored >= MARKER_TARGET {
             return if stored < MARKER_TARGET + self.facts.board().markers {
                 Ok(())
@@ -196,11 +204,16 @@ impl<F: Facts> Loader<'_, F> {
 
 /// What a timer drives, as it is stored. What does not exist stays so: it is told with its own cause.
 fn target(code: i32) -> Option<i32> {
-    let (xx, base) = match xx(code, isa::OUTPUT_OPERAND) {
-        Some(xx) => (xx, 0),
-        None => (xx(code, isa::MARKER_OPERAND)?, MARKER_TARGET),
+    let (xx, base, last) = match (xx(code, isa::OUTPUT_OPERAND), xx(code, isa::MARKER_OPERAND)) {
+        (Some(xx), _) => (xx, 0, MARKER_TARGET - 1),
+        (_, Some(xx)) => (xx, MARKER_TARGET, 2 * MARKER_TARGET - 1),
+        _ => (
+            xx(code, isa::TIMER_OPERAND)?,
+            TIMER_TARGET,
+            isa::CALLED_AGAIN,
+        ),
     };
-    let index = xx.wrapping_sub(1).min(MARKER_TARGET - 1 + base);
+    let index = xx.wrapping_sub(1).min(last);
     Some(i32::from(base + index))
 }
 

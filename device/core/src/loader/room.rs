@@ -14,6 +14,11 @@ const COIL: u8 = 4;
 /// A rung has just begun.
 const RUNG: u8 = 5;
 
+/// What is noted from here on: the code of each timer. Before it the lines of the IFs that are open.
+const KINDS: u8 = isa::DEEPEST;
+/// How long ago the code was put of a timer whose preset was put last.
+const PRESET_BEFORE: usize = 5;
+
 /// The memory of a program that is being loaded.
 pub(super) struct Room<'m> {
     memory: &'m mut [u8],
@@ -154,11 +159,24 @@ impl<'m> Room<'m> {
         self.registers = self.registers.max(register);
     }
 
-    /// What a timer drives, as it is stored.
+    /// What a timer drives, as it is stored; or which one is called again: one that stands before, of the same kind.
     pub(super) fn target(&mut self, stored: u8) -> Result<(), Cause> {
         let engine = self.held.board().engine;
         if stored < engine.fast_outputs {
             self.behind = COIL;
+        }
+        let last = self.timers.wrapping_sub(1);
+        // Where something did not fit, no kind is known.
+        let kind = self.before(PRESET_BEFORE).unwrap_or(0);
+        if stored < isa::TIMER_TARGET {
+            self.note(KINDS.saturating_add(last), kind.into());
+        } else {
+            self.timers = last;
+            let timer = stored - isa::TIMER_TARGET;
+            let is_known = timer < last && timer < isa::CALLED_AGAIN;
+            if kind != 0 && !(is_known && self.noted(KINDS + timer) == kind.into()) {
+                return Err(Cause::NoSuchTimer);
+            }
         }
         self.reserve(0, engine.line_bytes(Line::Target, stored))
     }

@@ -49,6 +49,7 @@ impl Plc<'_> {
         match target {
             Target::Output(number) => self.output(number),
             Target::Marker(number) => self.marker(number),
+            Target::Timer(_) => false,
         }
     }
 }

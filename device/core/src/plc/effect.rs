@@ -225,14 +225,22 @@ impl Plc<'_> {
     }
 
     fn timer_block(&mut self, pass: &mut Pass, delay: Delay, operand: Operand<'_>) {
-        let Operand::Timer(TimerBlock { target, .. }) = operand else {
+        let Operand::Timer(TimerBlock { preset, target }) = operand else {
             return;
         };
         let (acc, now) = (pass.acc, pass.now);
+        if let Target::Timer(number) = target {
+            pass.acc = self.with_timer(number, |timer| {
+                timer.set_preset(preset);
+                timer.scan(delay, acc, now)
+            });
+            return;
+        }
         pass.acc = self.with_timer(pass.timers + 1, |timer| timer.scan(delay, acc, now));
         match target {
             Target::Output(output) => self.set_output(output, pass.acc),
             Target::Marker(marker) => self.set_marker(marker, pass.acc),
+            Target::Timer(_) => {}
         }
     }
 

@@ -116,6 +116,7 @@ impl<'m> Plc<'m> {
         }
         let steps = Steps::new(self.code);
         let blocks = steps.clone().filter_map(|step| step.timer());
+        let blocks = blocks.filter(|block| block.is_own());
         for (timer, block) in self.timers.iter_mut().zip(blocks) {
             *timer = Timer::new(block.preset).store();
         }
@@ -207,6 +208,7 @@ impl<'m> Plc<'m> {
             .steps()
             .filter_map(|step| Some((Delay::of(step.opcode)?, step.timer()?)));
         blocks
+            .filter(|(_, block)| block.is_own())
             .zip(self.timers.iter())
             .map(move |((delay, block), data)| {
                 let timer = Timer::load(*data);

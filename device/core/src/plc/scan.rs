@@ -1,7 +1,7 @@
 //! The scan: one pass through the program.
 
 use super::{Inputs, Plc};
-use crate::isa::{Class, JUMP_BUDGET, Opcode};
+use crate::isa::{JUMP_BUDGET, Opcode};
 use crate::width::ANALOGUE;
 use crate::{Cause, Fault, Image, Instruction, Millis, Needs, Steps};
 
@@ -150,10 +150,10 @@ impl Plc<'_> {
         let next = self.run(pass, instruction);
         let after = pass.after();
         match next {
-            Next::Step => pass.pass_over(instruction.opcode),
+            Next::Step => pass.pass_over(&instruction),
             Next::End => pass.at = usize::MAX,
             Next::Behind(part) => {
-                pass.pass_over(instruction.opcode);
+                pass.pass_over(&instruction);
                 *index += pass.go_behind(code, part);
             }
             Next::Label { label, line } => {
@@ -218,7 +218,7 @@ impl Pass {
                 return index;
             }
             index += 1;
-            self.pass_over(step.opcode);
+            self.pass_over(&step);
         }
     }
 
@@ -229,7 +229,7 @@ impl Pass {
         let (mut count, mut inner) = (0, 0_u32);
         while let Some(step) = self.take_next(code) {
             count += 1;
-            self.pass_over(step.opcode);
+            self.pass_over(&step);
             match step.opcode {
                 Opcode::If => inner += 1,
                 Opcode::EndIf if inner > 0 => inner -= 1,
@@ -250,9 +250,8 @@ impl Pass {
     }
 
     /// What the next instruction finds after this one.
-    fn pass_over(&mut self, opcode: Opcode) {
-        let row = opcode.row();
-        self.timers += u8::from(row.class == Class::Timer);
-        self.own += usize::from(row.own);
+    fn pass_over(&mut self, step: &Instruction<'_>) {
+        self.timers += u8::from(step.is_own_timer());
+        self.own += usize::from(step.opcode.row().own);
     }
 }

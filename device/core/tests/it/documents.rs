@@ -280,7 +280,7 @@ fn the_translation_has_the_same_rows() {
             .collect()
     };
     assert_eq!(rulings(&pages[0]), rulings(&pages[1]));
-    assert_eq!(rulings(&pages[0]).len(), 29);
+    assert_eq!(rulings(&pages[0]).len(), 30);
 }
 
 /// The numbers of a text, without its words.

@@ -90,8 +90,7 @@ impl Naive {
     }
 
     fn of(steps: Vec<Step>, board: Board) -> Naive {
-        let is_timer = |step: &&Step| matches!(&*step.letters, "TON" | "TOF" | "TOR" | "TP");
-        let timers = steps.iter().filter(is_timer);
+        let timers = steps.iter().filter(|step| step.is_own_timer());
         let timers = timers
             .map(|step| Timer::new(&step.letters, step.lines[0]))
             .collect();
@@ -309,15 +308,20 @@ impl Naive {
             "WO" => self.outputs[xx] = acc != inverse,
             "WM" => self.markers[xx] = acc != inverse,
             "TON" | "TOF" | "TOR" | "TP" => {
-                let timers = &self.steps[..at];
-                let index = timers
-                    .iter()
-                    .filter(|step| matches!(step.letters.as_str(), "TON" | "TOF" | "TOR" | "TP"));
-                pass.acc = self.timers[index.count()].reach(acc, now);
+                let before = self.steps[..at].iter().filter(|step| step.is_own_timer());
                 let number = (lines[1] % 100) as usize;
+                let index = match lines[1] / 100 {
+                    84 => {
+                        self.timers[number - 1].preset = lines[0];
+                        number - 1
+                    }
+                    _ => before.count(),
+                };
+                pass.acc = self.timers[index].reach(acc, now);
                 match lines[1] / 100 {
                     79 => self.outputs[number] = pass.acc,
-                    _ => self.markers[number] = pass.acc,
+                    77 => self.markers[number] = pass.acc,
+                    _ => {}
                 }
             }
             "CTU" | "CTD" => {

@@ -19,6 +19,14 @@ pub struct Step {
     pub takes_number: bool,
 }
 
+impl Step {
+    /// Whether it is a timer of its own; another with `84XX` calls that again (NC-30).
+    pub fn is_own_timer(&self) -> bool {
+        let is_timer = matches!(self.letters.as_str(), "TON" | "TOF" | "TOR" | "TP");
+        is_timer && self.lines[1] / 100 != 84
+    }
+}
+
 /// A row of the page's table of codes.
 struct Row {
     /// The digits of the code, without XX.

@@ -3,7 +3,7 @@
 use super::step::Step;
 use super::table::Table;
 use std::sync::Arc;
-use unoclp_core::isa::{Class, Opcode};
+use unoclp_core::isa::Opcode;
 
 pub use crate::tree::Gate;
 
@@ -159,7 +159,7 @@ impl Document {
         let mut timers = Vec::new();
         for rung in self.rungs() {
             visit(&rung.series, &mut |node| match node {
-                Node::Element(element) if element.step.class() == Class::Timer => {
+                Node::Element(element) if element.step.is_own_timer() => {
                     timers.push(element.id);
                 }
                 _ => {}

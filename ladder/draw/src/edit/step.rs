@@ -70,6 +70,17 @@ impl Step {
         self.number
     }
 
+    /// What a timer drives, or which one it calls again; none where that is missing, and of what is no timer.
+    pub fn target(&self) -> Option<Target> {
+        let line = self.lines.get(1).copied().flatten();
+        line.filter(|_| self.kind() == Kind::Timer).and_then(target)
+    }
+
+    /// Whether it is a timer of its own, which has a number.
+    pub fn is_own_timer(&self) -> bool {
+        self.kind() == Kind::Timer && !matches!(self.target(), Some(Target::Timer(_)))
+    }
+
     /// Its operand lines, as a program file has them.
     pub fn lines(&self) -> &[Option<i32>] {
         &self.lines
@@ -134,7 +145,8 @@ pub(crate) fn target(line: i32) -> Option<Target> {
     };
     match line {
         isa::MARKER_OPERAND..isa::OUTPUT_OPERAND => number(isa::MARKER_OPERAND).map(Target::Marker),
-        isa::OUTPUT_OPERAND.. => number(isa::OUTPUT_OPERAND).map(Target::Output),
+        isa::OUTPUT_OPERAND..isa::TIMER_OPERAND => number(isa::OUTPUT_OPERAND).map(Target::Output),
+        isa::TIMER_OPERAND.. => number(isa::TIMER_OPERAND).map(Target::Timer),
         _ => None,
     }
 }

@@ -5,6 +5,7 @@ use super::lost::Lost;
 use super::names::Variables;
 use super::xml::{At, Body, Source};
 use std::collections::HashMap;
+use unoclp_core::Target;
 use unoclp_core::isa::{Class, Opcode};
 use unoclp_draw::edit::{Begin, Block, Document, Gate, Id, Node, Rung, visit};
 use unoclp_point::Address;
@@ -56,9 +57,15 @@ impl Draw {
                 let Node::Element(element) = node else { return };
                 let opcode = element.step.opcode();
                 if opcode.class() == Class::Timer {
-                    let number = timers.len() as u8 + 1;
+                    let own = kinds.len() as u8 + 1;
+                    let number = match element.step.target() {
+                        Some(Target::Timer(called)) => called,
+                        _ => own,
+                    };
                     timers.insert(element.id, number);
-                    kinds.insert(number, timer(opcode).unwrap_or("TON"));
+                    if number == own {
+                        kinds.insert(own, timer(opcode).unwrap_or("TON"));
+                    }
                 }
             });
         }

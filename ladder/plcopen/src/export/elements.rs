@@ -2,7 +2,7 @@
 
 use super::counters::input;
 use super::draw::{COLUMN, Draw, Wire, timer};
-use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode};
+use unoclp_core::isa::{Class, Kind, Opcode};
 use unoclp_draw::edit::{Element, Step};
 use unoclp_point::Address;
 
@@ -153,7 +153,8 @@ impl Draw {
         let (Some(kind), Some(&number)) = (timer(opcode), self.timers.get(&element.id)) else {
             return self.lose(element.id, opcode.row().letters);
         };
-        let &[Some(preset), Some(target)] = element.step.lines() else {
+        let (&[Some(preset), _], Some(target)) = (element.step.lines(), element.step.target())
+        else {
             return self.lose(element.id, opcode.row().letters);
         };
         let instance = self.variables.of(Address::Timer(number), kind);
@@ -164,11 +165,9 @@ impl Draw {
             .block(kind, Some(&instance), &inputs, &["Q", "ET"], wire.at);
         wire.from = vec![(id, "Q")];
         wire.at.x += COLUMN;
-        let point = match target {
-            OUTPUT_OPERAND.. => Address::Output((target - OUTPUT_OPERAND) as u8),
-            _ => Address::Marker((target - MARKER_OPERAND) as u8),
-        };
-        self.driven(" negated=\"false\"", point, wire);
+        if element.step.is_own_timer() {
+            self.driven(" negated=\"false\"", target.into(), wire);
+        }
     }
 }
 

@@ -7,8 +7,8 @@ use super::expr::{Expr, Place, Type, and, binary, call, compare, not, whole};
 use super::machine::Machine;
 use super::statement::Statement;
 use super::why::Why;
-use unoclp_core::Instruction;
 use unoclp_core::isa::{Opcode, Operand};
+use unoclp_core::{Instruction, Target};
 use unoclp_point::Address;
 
 impl Machine<'_, '_> {
@@ -203,13 +203,29 @@ impl Machine<'_, '_> {
         if self.flow.in_loop(self.at) {
             return Err(Why::TimerInLoop);
         }
-        self.body
-            .timers
-            .push((step.opcode, block.preset.cast_signed()));
-        let number = self.body.timers.len() as u8;
+        let number = match block.target {
+            Target::Timer(called) => {
+                // Its preset would stay for the timer's own block, which gives another.
+                let own = self.body.timers.get(usize::from(called).wrapping_sub(1));
+                let is_same = own.is_some_and(|(_, own)| *own == block.preset.cast_signed());
+                if !is_same || self.changes_preset(called) {
+                    return Err(Why::NoWords);
+                }
+                called
+            }
+            _ => {
+                let preset = block.preset.cast_signed();
+                self.body.timers.push((step.opcode, preset));
+                self.body.timers.len() as u8
+            }
+        };
         let scopes = self.scopes.clone();
         self.timer_scopes.insert(number, scopes);
-        let target = Place::At(block.target.into());
+        let q = Place::At(Address::TimerQ(number));
+        let target = match block.target {
+            Target::Timer(_) => q,
+            driven => Place::At(driven.into()),
+        };
         let preset = match self.changes_preset(number) {
             true => Expr::at(Address::TimerPreset(number)),
             false => Expr::Constant(block.preset.cast_signed(), Type::Time),
@@ -220,11 +236,8 @@ impl Machine<'_, '_> {
         });
         self.acc = Expr::Place(target);
         let inputs = vec![("IN", on), ("PT", preset)];
-        self.put(Statement::Call(
-            Place::At(Address::TimerQ(number)),
-            inputs,
-            Some(target),
-        ));
+        let driven = Some(target).filter(|_| block.is_own());
+        self.put(Statement::Call(q, inputs, driven));
         Ok(())
     }
 

@@ -6,8 +6,8 @@ use super::expr::{Place, View};
 use super::machine::Body;
 use std::collections::{BTreeMap, BTreeSet};
 use unoclp_checked::SourceMap;
-use unoclp_core::Instruction;
 use unoclp_core::isa::{Kind, Opcode, REGISTERS};
+use unoclp_core::{Instruction, Target};
 use unoclp_point::Address;
 use unoclp_st::is_keyword;
 use unoclp_tree::build::is_function;
@@ -56,8 +56,11 @@ pub(super) fn given(steps: &[Instruction<'_>], map: &SourceMap) -> BTreeMap<Plac
                 Place::Register(xx, View::Whole)
             }
             Kind::Timer => {
-                timers += 1;
-                Place::At(Address::TimerQ(timers))
+                timers += u8::from(step.is_own_timer());
+                match step.timer().map(|block| block.target) {
+                    Some(Target::Timer(called)) => Place::At(Address::TimerQ(called)),
+                    _ => Place::At(Address::TimerQ(timers)),
+                }
             }
             _ => continue,
         };

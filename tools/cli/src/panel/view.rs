@@ -334,5 +334,6 @@ fn name(target: Target) -> String {
     match target {
         Target::Output(number) => format!("Q{number}"),
         Target::Marker(number) => format!("M{number}"),
+        Target::Timer(number) => format!("T{number}"),
     }
 }

@@ -123,7 +123,7 @@ fn names<'e>(emitted: &'e Emitted<'_>) -> Vec<Name<'e>> {
     let mut timers = 0;
     for step in emitted.steps() {
         match (step.opcode.class(), step.opcode, Address::of(step)) {
-            (Class::Timer, opcode, _) => {
+            (Class::Timer, opcode, _) if step.is_own_timer() => {
                 timers += 1;
                 kinds.insert(Address::Timer(timers), timer(opcode));
             }

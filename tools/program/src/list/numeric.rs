@@ -5,7 +5,7 @@ use crate::effect::effect;
 use std::fmt::Write;
 use unoclp_checked::SourceMap;
 use unoclp_core::isa::{self, Kind, Opcode, Operand, Value};
-use unoclp_core::{Instruction, Program};
+use unoclp_core::{Instruction, Program, Target};
 use unoclp_lang::Lang;
 
 /// A line of the listing.
@@ -130,7 +130,10 @@ fn lines(step: Instruction<'_>, lang: Lang) -> Vec<Line> {
 fn operand_meaning(operand: Operand<'_>, index: usize, code: i32, lang: Lang) -> String {
     match (operand, index) {
         (Operand::Timer(_), 0) => words::preset_ms(lang, code),
-        (Operand::Timer(block), _) => words::drives(lang, block.target),
+        (Operand::Timer(block), _) => match block.target {
+            Target::Timer(_) => words::calls_again(lang, block.target),
+            driven => words::drives(lang, driven),
+        },
         (Operand::Count { .. }, _) => words::preset(lang, code),
         (Operand::Value(_), _) => words::constant(lang),
         (Operand::Move { to, .. }, 0) => words::to_registers(lang, format!("D {to:02}")),

@@ -20,6 +20,7 @@ unoclp_words::messages! {
     register() "register XX" "registrador XX";
     preset(value) "preset: {value}" "pré-seleção: {value}";
     preset_ms(value) "preset: {value} ms" "pré-seleção: {value} ms";
+    calls_again(timer) "calls {timer} again" "chama {timer} de novo";
     drives(target) "drives {target}" "aciona {target}";
     constant() "the constant" "a constante";
     popped() "value (the pushed value comes first)" "valor (o empilhado vem antes)";
