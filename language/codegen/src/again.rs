@@ -210,7 +210,7 @@ fn written(steps: &[Step]) -> usize {
             Does::Codes(_, codes, _) => codes.first().is_some_and(|(code, _)| is_timer(*code)),
             _ => false,
         };
-        let inner = within(&step.does).into_iter().map(|steps| written(steps));
+        let inner = within(&step.does).into_iter().map(written);
         usize::from(own) + inner.sum::<usize>()
     };
     steps.iter().map(of).sum()
