@@ -66,7 +66,7 @@ fn each_key_has_its_row() {
     let told: Vec<String> = told.iter().map(|wrong| wrong.reason(Lang::En)).collect();
     let keys: Vec<&str> = told
         .iter()
-        .filter_map(|told| told.split_once("there is `"))
+        .filter_map(|told| told.split_once("known keys: `"))
         .flat_map(|(_, keys)| keys.split('`').step_by(2))
         .collect();
     assert!(keys.len() >= 50, "{keys:?}");

@@ -66,7 +66,8 @@ pub struct Loader<'m, F = Board> {
 
 impl<'m, F: Facts> Loader<'m, F> {
     /// A loader into this run memory for this board. Where the memory is smaller than the board's
-    /// `linked_bytes`, the memory decides what fits.
+    /// `linked_bytes`, the memory decides what fits. After the board's `stored_bytes` it notes which IFs are open and of which
+    /// kind each timer is: where the memory ends before, no timer is called again (fault 29).
     // Loaders stand in large frames, whose far end AVR reaches only by detours: what fills and uses
     // one goes by its address.
     #[inline(never)]

@@ -7,7 +7,7 @@ use unoclp_lang::{Code, Dialect, Options, TextLanguage, compile, compile_text};
 /// Runs a text, and gives the outputs of scans with these inputs at these times, as bits.
 fn run(text: &str, scans: &[(u32, u8)]) -> Vec<u128> {
     let file = program(text, &large()).file().unwrap();
-    let mut memory = vec![0; 4000];
+    let mut memory = vec![0; 64_000];
     let mut plc = plc(&file, &mut memory, LARGE);
     scans
         .iter()
@@ -23,7 +23,7 @@ fn steps(text: &str, points: &[u8]) -> Vec<u128> {
 
 fn with_plc<T>(text: &str, act: impl FnOnce(&mut Plc<'_>) -> T) -> T {
     let file = program(text, &large()).file().unwrap();
-    let mut memory = vec![0; 4000];
+    let mut memory = vec![0; 64_000];
     act(&mut plc(&file, &mut memory, LARGE))
 }
 

@@ -93,7 +93,7 @@ impl Case {
     }
 
     fn fault_of(&self, file: &str) -> Option<String> {
-        let mut memory = vec![0; 4000];
+        let mut memory = vec![0; 64_000];
         let mut plc = plc(file, &mut memory, LARGE);
         let mut outputs = Vec::new();
         plc.retain(self.left);

@@ -180,7 +180,7 @@ fn what_is_no_hand_in_is_told_and_ends_nothing() {
         ("student", without("student"), "`student.name` is missing", "falta `student.name`"),
         ("nobody", nobody, "`student.name` is missing", "falta `student.name`"),
         ("program", without("program"), "`program.text` is missing", "falta `program.text`"),
-        ("later", later, "`form` is unoclp-hand-in-9, and this unoclp reads", "`form` é unoclp-hand-in-9, e este unoclp lê"),
+        ("later", later, "`form` is unoclp-hand-in-9, but this unoclp reads", "`form` é unoclp-hand-in-9, mas este unoclp lê"),
         ("list", json!([]), "`form` is missing", "falta `form`"),
         ("other", hand_in("Ana", "crane", FOLLOWS), "exercise crane, which is not graded here; name", "exercício crane, que não está sendo avaliado; indique"),
     ];
