@@ -261,7 +261,7 @@ async function engineer(page, said, words, phone) {
   await turnTo(page, "program");
   // What no ladder holds goes out as a list in PLCopen XML; a ladder goes out as one, and comes back.
   const tank = await saved(page, () => pick(page, "#save-project"));
-  assert.match(tank.text, /<project[^]*<IL>/);
+  assert.match(tank.text, /<project[^]*<ST>/);
   await type(page, "LD I1\nOR Q1\nANDN I2\nST Q1\n", "motor.il");
   await page.locator("#problem-count.good").waitFor();
   const xml = await saved(page, () => pick(page, "#save-project"));
