@@ -24,7 +24,7 @@ export const SITE = {
   mayEngineer: ["engineer", "engenharia"],
   boardsUp: ["{up} of {all} boards answer", "{up} de {all} placas respondem"],
   boardUp: ["Answers", "Responde"],
-  boardAway: ["Away", "Ausente"],
+  boardAway: ["No answer", "Sem resposta"],
   boardFault: ["FAULT {fault}", "FALHA {fault}"],
   boardFaultLine: ["FAULT {fault}, line {line}", "FALHA {fault}, linha {line}"],
   boardForced: ["Forced", "Com forçamento"],
