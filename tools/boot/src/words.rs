@@ -29,8 +29,8 @@ unoclp_words::messages! {
     foreign(models)
         "the device that answers is not a boot loader. Is this the board's port, and is the kind of board right ({models})? \
          Disconnect everything else from D0 and D1"
-        "o dispositivo que responde não é um bootloader. A porta é a da placa, e o tipo de placa está certo ({models})? Desligue tudo o que \
-         mais usa D0 e D1";
+        "o dispositivo que responde não é um bootloader. A porta é a da placa, e o tipo de placa está certo ({models})? Desconecte \
+         tudo o que estiver ligado a D0 e D1";
     says_other_chip(signature, chip, wanted)
         "the chip's signature is {signature}, but an {chip} has {wanted}; this firmware does not run on that board"
         "a assinatura do chip é {signature}, mas a de um {chip} é {wanted}; este firmware não roda nessa placa";
