@@ -85,7 +85,7 @@ impl Builder<'_, '_> {
                 ExprKind::Constant(value) => {
                     let whole = value.real().round();
                     both(
-                        format!("write {whole}, or take REAL for the variable"),
+                        format!("write {whole}, or use REAL for the variable"),
                         format!("escreva {whole} ou use REAL para a variável"),
                     )
                 }
