@@ -389,7 +389,7 @@ unoclp_words::messages! {
         "{file}: copied {rows} rows of {points} points to {database}; start unoclp serve again"
         "{file}: {rows} linhas de {points} pontos foram copiadas para {database}; inicie o unoclp serve de novo";
     alarm_came(name, text) "alarm {name}: {text}" "alarme {name}: {text}";
-    alarm_gone(name) "alarm {name}: gone" "alarme {name}: passou";
+    alarm_gone(name) "alarm {name}: cleared" "alarme {name}: passou";
     alarm_acknowledged(name, who)
         "alarm {name}: acknowledged by {who}"
         "alarme {name}: reconhecido por {who}";

@@ -120,7 +120,7 @@ unoclp_words::messages! {
         "stopped as expected at {at} ms: {fault}"
         "parou como esperado aos {at} ms: {fault}";
     expected(what) "expected {what}" "esperado: {what}";
-    came(what) "came     {what}" "ocorreu:  {what}";
+    came(what) "got      {what}" "ocorreu:  {what}";
     at_time(at, what) "at {at} ms {what}" "aos {at} ms, {what}";
     that_it_runs() "that the program runs" "que o programa rodasse";
     that_it_runs_on() "that the program keeps running" "que o programa continuasse";

@@ -257,11 +257,11 @@ fn a_run_may_end_in_a_fault() {
             "stops-later.toml",
             "stops = { at = 5, number = 75, line = 4 }"
         ),
-        format!("FAIL\n  expected at 5 ms {fault}\n  came     at 3 ms {fault}")
+        format!("FAIL\n  expected at 5 ms {fault}\n  got      at 3 ms {fault}")
     );
     assert_eq!(
         told("stops-not.toml", "until = 4"),
-        format!("FAIL\n  expected that the program keeps running\n  came     at 3 ms {fault}")
+        format!("FAIL\n  expected that the program keeps running\n  got      at 3 ms {fault}")
     );
     let runs_on = load(
         "runs-on.toml",
