@@ -101,7 +101,7 @@ unoclp_words::messages! {
         "{given} não é um nome válido; comece com uma letra e use letras, algarismos, - ou _, no máximo 32 caracteres";
     two_alarms(name)
         "two alarms are called {name}; give each its own name"
-        "dois alarmes se chamam {name}; dê a cada um um nome próprio";
+        "dois alarmes se chamam {name}; dê um nome próprio a cada um";
     no_condition(told, help)
         "this is not a condition in Structured Text: {told}{help}; write one like \"estufa.temperature > 80.0 AND NOT estufa.fan\""
         "isto não é uma condição de Texto Estruturado: {told}{help}; escreva uma como \"estufa.temperature > 80.0 AND NOT estufa.fan\"";
@@ -134,7 +134,7 @@ unoclp_words::messages! {
         "este rótulo tem mais de {most} caracteres; escreva um mais curto";
     two_users(name)
         "two users are called {name}; give each its own name"
-        "dois usuários se chamam {name}; dê a cada um um nome próprio";
+        "dois usuários se chamam {name}; dê um nome próprio a cada um";
     no_key_of_user()
         "this is not a user's key; `unoclp site key NAME` makes one"
         "isto não é uma chave de usuário; `unoclp site key NOME` cria uma";

@@ -48,7 +48,7 @@ export const LEARN = {
   exerciseUnknown: ["The exercise {name} is not here: open its file.", "O exercício {name} não está aqui: abra o arquivo dele."],
   handedInNone: ["{file} is not a hand-in, or is damaged. Ask for the file that the “Hand in” button saved. Your program is still here.", "{file} não é uma entrega, ou está danificado. Peça o arquivo que o botão “Entregar” salvou. O seu programa continua aqui."],
   judgedWell: ["No rule was broken, from the beginning to the end of the machine's own test.", "Nenhuma regra foi violada, do começo ao fim do teste da própria máquina."],
-  replayOf: ["The machine, from two seconds before", "A máquina, desde dois segundos antes"],
+  replayOf: ["The machine, from two seconds before it went wrong", "A máquina, desde dois segundos antes de dar errado"],
   replayPlay: ["Play again", "Repetir"],
   replayTime: ["Time", "Tempo"],
   galleryOpen: ["Open the machine", "Abrir a máquina"],
