@@ -16,11 +16,11 @@ pub(crate) fn reason(error: &Error) -> Word {
             "ele acaba antes do seu último elemento",
         ),
         Error::DtdDetected => both(
-            "a document type (`<!DOCTYPE`), which may hold entities, is not read",
-            "um tipo de documento (`<!DOCTYPE`), que pode ter entidades, não é lido",
+            "a document type (`<!DOCTYPE`), which may contain entities, is not allowed",
+            "um tipo de documento (`<!DOCTYPE`), que pode ter entidades, não é permitido",
         ),
         Error::UnexpectedCloseTag(expected, actual, _) => Word::from((
-            format!("`</{actual}>` stands where `</{expected}>` is due"),
+            format!("`</{actual}>` is where `</{expected}>` should be"),
             format!("`</{actual}>` está onde deveria estar `</{expected}>`"),
         )),
         Error::UnknownEntityReference(name, _) => named(
@@ -53,11 +53,11 @@ pub(crate) fn reason(error: &Error) -> Word {
         | Error::UnexpectedXmlUri(_)
         | Error::UnexpectedXmlnsUri(_)
         | Error::InvalidElementNamePrefix(_) => both(
-            "a namespace of XML itself is declared or used otherwise",
+            "a namespace of XML itself is declared or used in another way",
             "um espaço de nomes do próprio XML é declarado ou usado de outra forma",
         ),
         Error::UnexpectedDeclaration(_) => both(
-            "`<?xml` stands only at the very beginning",
+            "`<?xml` may appear only at the very beginning",
             "`<?xml` só pode estar bem no início",
         ),
         Error::NonXmlChar(sign, _) => named(
@@ -65,9 +65,9 @@ pub(crate) fn reason(error: &Error) -> Word {
             "XML não tem o caractere",
             &format!("U+{:04X}", u32::from(*sign)),
         ),
-        Error::InvalidComment(_) => both("a comment has `--`", "um comentário tem `--`"),
+        Error::InvalidComment(_) => both("a comment contains `--`", "um comentário tem `--`"),
         Error::InvalidCharacterData(_) => {
-            both("`]]>` stands outside of CDATA", "`]]>` está fora de CDATA")
+            both("`]]>` appears outside of CDATA", "`]]>` está fora de CDATA")
         }
         Error::InvalidName(_) => both(
             "a name that XML does not allow",
@@ -82,7 +82,7 @@ pub(crate) fn reason(error: &Error) -> Word {
         }
         // Of document types, which are refused, and what has no words of its own.
         _ => both(
-            "this is no element and no text",
+            "this is neither an element nor text",
             "isto não é elemento nem texto",
         ),
     }

@@ -87,11 +87,11 @@ impl Checker<'_, '_> {
         };
         let help = match near {
             _ if is_place(&upper) => both(
-                format!("capitals and small letters differ: write {upper}"),
+                format!("LCE is case-sensitive: write {upper}"),
                 format!("maiúsculas e minúsculas são diferentes: escreva {upper}"),
             ),
             Some(near) if near.to_uppercase() == upper => both(
-                format!("capitals and small letters differ: is it `{near}`?"),
+                format!("LCE is case-sensitive: is it `{near}`?"),
                 format!("maiúsculas e minúsculas são diferentes: seria `{near}`?"),
             ),
             Some(near) => Word::Near(near.to_string()),

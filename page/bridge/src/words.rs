@@ -74,9 +74,9 @@ unoclp_words::messages! {
     fault_bouncing() "bounces" "trepida";
     own_contacts() "real contacts drive the board's inputs; force the input instead" "contatos reais comandam as entradas da placa; force a entrada";
     no_settings() "a program on this computer has no settings" "um programa neste computador não tem ajustes";
-    own_program() "this computer runs the program that is open in the page" "este computador executa o programa aberto na página";
+    own_program() "this computer runs the program that is open on the page" "este computador executa o programa aberto na página";
     none_runs() "no program runs here; press Run" "nenhum programa está em execução aqui; aperte Executar";
-    none_given() "no program has been given yet; press Run" "nenhum programa foi enviado ainda; aperte Executar";
+    none_given() "no program has been sent yet; press Run" "nenhum programa foi enviado ainda; aperte Executar";
     no_model(name) "no board is called {name}" "nenhuma placa se chama {name}";
     no_address(address, least, most) "address {address} is not valid; a board has an address from {least} to {most}" "o endereço {address} não é válido; uma placa tem um endereço de {least} a {most}";
     program_empty() "there is no program yet" "ainda não há programa";

@@ -35,7 +35,7 @@ unoclp_words::messages! {
     rs() "keeps a bit: S sets it, R1 resets it and wins" "guarda um bit: S liga, R1 desliga e vence";
     rising() "Q is 1 for one scan when CLK rises" "Q fica em 1 por uma varredura quando CLK sobe";
     falling() "Q is 1 for one scan when CLK falls" "Q fica em 1 por uma varredura quando CLK cai";
-    up() "counts up when CU rises; Q is 1 from CV = PV on; R clears CV" "conta para cima quando CU sobe; Q fica em 1 a partir de CV = PV; R zera CV";
+    up() "counts up when CU rises; Q is 1 when CV is PV or more; R clears CV" "conta para cima quando CU sobe; Q fica em 1 quando CV é PV ou maior; R zera CV";
     down() "counts down when CD rises; Q is 1 when CV is 0 or less; LD loads PV" "conta para baixo quando CD sobe; Q fica em 1 quando CV é 0 ou menor; LD carrega PV";
     both_ways() "counts up with CU and down with CD; R clears CV, LD loads PV" "conta para cima com CU e para baixo com CD; R zera CV, LD carrega PV";
     pulse() "Q is 1 for the time PT after IN rises" "Q fica em 1 durante o tempo PT a partir da subida de IN";

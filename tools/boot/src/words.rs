@@ -22,15 +22,15 @@ unoclp_words::messages! {
         "the file takes {bytes} bytes of flash, but the board {model} has room for {room}; use the firmware for that board"
         "o arquivo ocupa {bytes} bytes de flash, mas na placa {model} cabem {room}; use o firmware para essa placa";
     silent(models)
-        "no boot loader answers. Is this the board's port, and is the kind of board right ({models})? If the board has no \
+        "no boot loader answers. Is this the board's port, and is the board type right ({models})? If the board has no \
          automatic reset, press its reset button when writing starts"
         "nenhum bootloader responde. A porta é a da placa, e o tipo de placa está certo ({models})? Se a placa não tem \
          reset automático, aperte o botão de reset assim que a gravação começar";
     foreign(models)
-        "the device that answers is not a boot loader. Is this the board's port, and is the kind of board right ({models})? \
+        "the device that answers is not a boot loader. Is this the board's port, and is the board type right ({models})? \
          Disconnect everything else from D0 and D1"
-        "o dispositivo que responde não é um bootloader. A porta é a da placa, e o tipo de placa está certo ({models})? Desligue tudo o que \
-         mais usa D0 e D1";
+        "o dispositivo que responde não é um bootloader. A porta é a da placa, e o tipo de placa está certo ({models})? Desconecte \
+         tudo o que estiver ligado a D0 e D1";
     says_other_chip(signature, chip, wanted)
         "the chip's signature is {signature}, but an {chip} has {wanted}; this firmware does not run on that board"
         "a assinatura do chip é {signature}, mas a de um {chip} é {wanted}; este firmware não roda nessa placa";
@@ -47,7 +47,7 @@ unoclp_words::messages! {
          vezes";
     lost(why)
         "the port has disappeared: {why}; plug the board in again and retry"
-        "a porta não está mais disponível: {why}; ligue a placa de novo e tente de novo";
+        "a porta não está mais disponível: {why}; reconecte a placa e tente de novo";
     untouched()
         "The board still has its old firmware"
         "A placa ainda tem o firmware antigo";

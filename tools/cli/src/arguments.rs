@@ -76,7 +76,7 @@ enum Command {
         file: PathBuf,
         #[command(flatten)]
         wording: Wording,
-        /// What to list it as
+        /// The form of the listing
         #[arg(long = "as", value_name = "FORM", value_enum, default_value_t)]
         form: Form,
         /// Draw the ladder diagram into this file, as vector graphics
@@ -105,7 +105,7 @@ enum Command {
         /// Run only this case of the scenario, counted from 1
         #[arg(long, value_name = "N", requires = "scenario", value_parser = clap::value_parser!(u16).range(1..))]
         case: Option<u16>,
-        /// Draw what was pressed, what was expected and what came into this file, as a timing diagram; of a machine, pictures
+        /// Draw into this file, as a timing diagram, what was pressed, expected and observed; of a machine, pictures
         #[arg(long, value_name = "OUT.svg")]
         svg: Option<PathBuf>,
         /// Write the trace of all inputs, outputs and timers for a wave viewer

@@ -879,7 +879,7 @@ fn an_alarm_outlasts_a_gateway_that_is_killed_and_who_acknowledged_it_is_known()
     fake.board().outputs = 0;
     let mut server = Server::of(&mut unoclp_site(&file));
     listener.until("lit", r#""state":"normal""#);
-    while server.line() != "alarm lit: gone" {}
+    while server.line() != "alarm lit: cleared" {}
     terminate(&server);
     assert!(server.child.wait().unwrap().success());
     let server = Server::of(&mut unoclp_site(&file));

@@ -117,7 +117,7 @@ unoclp_words::messages! {
     stopped_with(what) "the program is stored, but stopped with {what}" "o programa está gravado, mas parou com {what}";
     unread_empty() "the board holds no program" "a placa não tem programa";
     unread_untold()
-        "this board's firmware cannot send its program: it is an older one, or that of a Nano"
+        "this board's firmware cannot send its program: it is an older version, or the firmware of a Nano"
         "o firmware desta placa não envia o programa: é mais antigo, ou é o de um Nano";
     unread_other()
         "the board sent an unknown program; read it again"

@@ -11,7 +11,7 @@ unoclp_words::messages! {
         "the key `{key}` is missing; write `{key} = {example}`"
         "falta a chave `{key}`; escreva `{key} = {example}`";
     kind(key, example)
-        "`{key}` takes another kind of value; write `{key} = {example}`"
+        "`{key}` takes a different kind of value; write `{key} = {example}`"
         "`{key}` pede outro tipo de valor; escreva `{key} = {example}`";
     choice(key, given, known)
         "`{key}` cannot be {given}; choose {known}"

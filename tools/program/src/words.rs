@@ -28,7 +28,7 @@ unoclp_words::messages! {
     marker() "1 marker" "1 memória";
     markers(count) "{count} markers" "{count} memórias";
     seal_changed()
-        "somebody changed this file after unoclp wrote it: its last line gives another length or check sum"
+        "somebody changed this file after unoclp wrote it: its last line gives a different length or check sum"
         "alguém mudou este arquivo depois que o unoclp o gravou: a última linha indica outro tamanho ou outra soma de verificação";
     seal_changed_help()
         "if you changed it yourself, delete that line"

@@ -11,7 +11,7 @@ unoclp_words::messages! {
         "{given} não é um endereço com porta; escreva \"127.0.0.1:8420\", ou \"0.0.0.0:8420\" para a rede";
     no_host(given)
         "{given} is not a host with a port; write \"10.0.0.7:502\""
-        "{given} não é um computador com porta; escreva \"10.0.0.7:502\"";
+        "{given} não é um host com porta; escreva \"10.0.0.7:502\"";
     no_time(given, from, to)
         "{given} is not a time from {from} to {to}; write \"100ms\", \"5s\", \"2m\", \"1h\" or \"400d\""
         "{given} não é um tempo de {from} a {to}; escreva \"100ms\", \"5s\", \"2m\", \"1h\" ou \"400d\"";
@@ -62,7 +62,7 @@ unoclp_words::messages! {
         "{given} não é um banco de dados; escreva \"history.db\" para um arquivo, ou \"postgres://gateway@db.example/plant\"";
     database_secret()
         "the database's address has more than user, host, port and name, and unoclp prints addresses; write \"postgres://gateway@db.example/plant\", and `password` below it"
-        "o endereço do banco tem mais que usuário, computador, porta e nome, e o unoclp exibe endereços; escreva \"postgres://gateway@db.example/plant\", e `password` abaixo dele";
+        "o endereço do banco tem mais que usuário, host, porta e nome, e o unoclp exibe endereços; escreva \"postgres://gateway@db.example/plant\", e `password` abaixo dele";
     of_server(key)
         "a history in a file has no `{key}`; remove it"
         "um histórico em arquivo não tem `{key}`; tire essa chave";
@@ -101,7 +101,7 @@ unoclp_words::messages! {
         "{given} não é um nome válido; comece com uma letra e use letras, algarismos, - ou _, no máximo 32 caracteres";
     two_alarms(name)
         "two alarms are called {name}; give each its own name"
-        "dois alarmes se chamam {name}; dê a cada um um nome próprio";
+        "dois alarmes se chamam {name}; dê um nome próprio a cada um";
     no_condition(told, help)
         "this is not a condition in Structured Text: {told}{help}; write one like \"estufa.temperature > 80.0 AND NOT estufa.fan\""
         "isto não é uma condição de Texto Estruturado: {told}{help}; escreva uma como \"estufa.temperature > 80.0 AND NOT estufa.fan\"";
@@ -118,8 +118,8 @@ unoclp_words::messages! {
         "{file} cannot be read ({why}); check its path, which is relative to the folder of the site file"
         "não foi possível ler {file} ({why}); confira o caminho, relativo à pasta do arquivo de instalação";
     no_text_file(file)
-        "{file} is not a text of at most 256 KB; save it in UTF-8, and leave pictures out of it"
-        "{file} não é um texto de até 256 KB; salve em UTF-8 e tire dele as imagens";
+        "{file} is not a text file of at most 256 KB; save it in UTF-8, and leave pictures out of it"
+        "{file} não é um arquivo de texto de até 256 KB; salve em UTF-8 e tire dele as imagens";
     two_panels(name)
         "two panels are called {name}; give each file its own name"
         "dois painéis se chamam {name}; dê a cada arquivo um nome próprio";
@@ -134,7 +134,7 @@ unoclp_words::messages! {
         "este rótulo tem mais de {most} caracteres; escreva um mais curto";
     two_users(name)
         "two users are called {name}; give each its own name"
-        "dois usuários se chamam {name}; dê a cada um um nome próprio";
+        "dois usuários se chamam {name}; dê um nome próprio a cada um";
     no_key_of_user()
         "this is not a user's key; `unoclp site key NAME` makes one"
         "isto não é uma chave de usuário; `unoclp site key NOME` cria uma";

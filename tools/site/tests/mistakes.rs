@@ -80,7 +80,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqtt]\nbroker = \"mqtt://a\"\nhome_assistant = \"yes\"\n"),
             7,
-            "`home_assistant` takes another kind of value; write `home_assistant = true`",
+            "`home_assistant` takes a different kind of value; write `home_assistant = true`",
         ),
         (
             with("[mqtt]\nbroker = \"mqtt://a\"\nsparkplug = {}\n"),
@@ -106,7 +106,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("address = \"1\"\n"),
             5,
-            "`address` takes another kind of value; write `address = 1`",
+            "`address` takes a different kind of value; write `address = 1`",
         ),
         (
             with("[modbus]\nlisten = 5\n"),
@@ -331,7 +331,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             format!("alarm = 5\n{LINE}"),
             1,
-            "`alarm` takes another kind of value; write `alarm = [{",
+            "`alarm` takes a different kind of value; write `alarm = [{",
         ),
         (
             with("[[alarm]]\nwhen = \"x.I1\"\ntext = \"a\"\n"),
@@ -406,7 +406,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with(&panel("picture.png")),
             6,
-            "picture.png is not a text of at most 256 KB",
+            "picture.png is not a text file of at most 256 KB",
         ),
         (
             with(&(panel("lamp.panel.toml") + &panel("lamp.panel.toml"))),

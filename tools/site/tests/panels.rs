@@ -140,14 +140,20 @@ fn each_mistake_is_told_with_its_line_in_the_file() {
         ),
         (
             item("at = [1]"),
-            "4: `at` takes another kind of value; write `at = [1, 1]`",
+            "4: `at` takes a different kind of value; write `at = [1, 1]`",
         ),
         (
             item("least = 5\nmost = 5"),
             "5: `least` must be below `most`",
         ),
-        (item("most = nan"), "4: `most` takes another kind of value"),
-        (item("label = 7"), "4: `label` takes another kind of value"),
+        (
+            item("most = nan"),
+            "4: `most` takes a different kind of value",
+        ),
+        (
+            item("label = 7"),
+            "4: `label` takes a different kind of value",
+        ),
     ] {
         let told = told(&panel);
         assert_eq!(told.len(), 1, "{told:?}\n{panel}");

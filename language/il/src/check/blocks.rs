@@ -79,8 +79,11 @@ impl Walk<'_, '_, '_> {
         };
         if wrong {
             let has: (&str, &str) = match timer {
-                true => ("it has IN and R", "tem IN e R"),
-                false => ("it has CU, CD, R and S", "tem CU, CD, R e S"),
+                true => ("its inputs are IN and R", "as entradas são IN e R"),
+                false => (
+                    "its inputs are CU, CD, R and S",
+                    "as entradas são CU, CD, R e S",
+                ),
             };
             let words = [block.name.as_str().into(), input.into(), has.into()];
             return self.tell(Code::NoSuchParameter, span, words);

@@ -97,7 +97,10 @@ impl<'a> Walk<'_, 'a, '_> {
         params: &[Param],
         span: Span,
     ) {
-        let has = ("it has CLK, and gives Q", "tem CLK, e dá Q");
+        let has = (
+            "its input is CLK, its output Q",
+            "a entrada é CLK; a saída, Q",
+        );
         let mut clock = None;
         for (index, param) in params.iter().enumerate() {
             match param.name.as_ref().map(|name| name.text.as_str()) {

@@ -230,8 +230,8 @@ impl Walk<'_, '_, '_> {
                 Some("PV") => inputs.preset = self.preset(&param.value, 1),
                 _ => {
                     let has = (
-                        "it has CU, CD, R, LD and PV, and gives Q, QU, QD and CV",
-                        "tem CU, CD, R, LD e PV, e dá Q, QU, QD e CV",
+                        "its inputs are CU, CD, R, LD and PV, its outputs Q, QU, QD and CV",
+                        "as entradas são CU, CD, R, LD e PV; as saídas, Q, QU, QD e CV",
                     );
                     self.no_parameter(&name, param, has);
                 }
@@ -259,7 +259,10 @@ impl Walk<'_, '_, '_> {
                 Some("Q") if kind == Opcode::CountDown => Some("QD"),
                 Some(output @ ("Q" | "QU" | "QD" | "CV")) => super::first::part(block, output),
                 _ => {
-                    let has = ("it gives Q, QU, QD and CV", "dá Q, QU, QD e CV");
+                    let has = (
+                        "its outputs are Q, QU, QD and CV",
+                        "as saídas são Q, QU, QD e CV",
+                    );
                     self.no_parameter(&name, param, has);
                     continue;
                 }

@@ -151,7 +151,7 @@ impl Walk<'_, '_, '_> {
         let help = match nearest(&name, labels.iter().map(String::as_str)) {
             Some(near) => Word::Near(near.to_owned()),
             None => Word::Both(
-                format!("write `{name}:` before the instruction to go on with"),
+                format!("write `{name}:` before the instruction to continue with"),
                 format!("escreva `{name}:` antes da instrução em que o programa deve continuar"),
             ),
         };

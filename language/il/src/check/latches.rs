@@ -19,11 +19,17 @@ impl Walk<'_, '_, '_> {
     ) {
         let (has, [set_part, reset_part]) = match block {
             Standard::Sr => (
-                ("it has S1 and R, and gives Q1", "tem S1 e R, e dá Q1"),
+                (
+                    "its inputs are S1 and R, its output Q1",
+                    "as entradas são S1 e R; a saída, Q1",
+                ),
                 ["S1", "R"],
             ),
             _ => (
-                ("it has S and R1, and gives Q1", "tem S e R1, e dá Q1"),
+                (
+                    "its inputs are S and R1, its output Q1",
+                    "as entradas são S e R1; a saída, Q1",
+                ),
                 ["S", "R1"],
             ),
         };

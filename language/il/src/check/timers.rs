@@ -232,8 +232,8 @@ impl Walk<'_, '_, '_> {
                     &name,
                     param,
                     (
-                        "it has IN and PT, and gives Q and ET",
-                        "tem IN e PT, e dá Q e ET",
+                        "its inputs are IN and PT, its outputs Q and ET",
+                        "as entradas são IN e PT; as saídas, Q e ET",
                     ),
                 ),
             }
@@ -257,7 +257,11 @@ impl Walk<'_, '_, '_> {
             let output = match param.name.as_ref().map(|name| name.text.as_str()) {
                 Some(output @ ("Q" | "ET")) => output,
                 _ => {
-                    self.no_parameter(&name, param, ("it gives Q and ET", "dá Q e ET"));
+                    self.no_parameter(
+                        &name,
+                        param,
+                        ("its outputs are Q and ET", "as saídas são Q e ET"),
+                    );
                     continue;
                 }
             };

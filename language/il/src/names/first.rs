@@ -15,7 +15,7 @@ const CONSTANT: Why = ("it must be a constant", "deve ser uma constante");
 const READ_ONLY: Why = ("it can only be read", "ela só pode ser lida");
 const NO_VALUE: Why = ("it is a block", "é um bloco");
 const PRESET: Why = (
-    "a preset is from 0 to 2147483647",
+    "a preset goes from 0 to 2147483647",
     "uma pré-seleção vai de 0 a 2147483647",
 );
 
@@ -97,7 +97,7 @@ impl Names<'_> {
                 within(
                     0,
                     255,
-                    ("eight bits are 0 to 255", "oito bits vão de 0 a 255"),
+                    ("eight bits go from 0 to 255", "oito bits vão de 0 a 255"),
                 )?;
             }
             Place::Number(Num::At(Address::Pwm(_))) => {
@@ -107,7 +107,10 @@ impl Names<'_> {
                 within(
                     0,
                     15,
-                    ("four outputs are 0 to 15", "quatro saídas vão de 0 a 15"),
+                    (
+                        "four outputs go from 0 to 15",
+                        "quatro saídas vão de 0 a 15",
+                    ),
                 )?;
             }
             Place::Trigger(..) | Place::Latch(..) | Place::Instance(_) => return Err(NO_VALUE),

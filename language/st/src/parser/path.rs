@@ -93,7 +93,7 @@ impl Parser<'_, '_> {
         let written = self.slice(place).to_uppercase();
         let digits = written.strip_prefix("%X").unwrap_or(&written);
         if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
-            let what = ("the place of a bit", "a posição de um bit");
+            let what = ("the position of a bit", "a posição de um bit");
             let help = ("write it like x.3", "escreva como x.3");
             return Err(self.missing(what, help));
         }

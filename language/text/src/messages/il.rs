@@ -19,7 +19,7 @@ macro_rules! il_rows {
         "o comentário foi fechado em `* )`, que tem um espaço"
         "escreva *) sem o espaço";
     14 BadNumber Error
-        "`{0}` is neither a number of 32 bits nor a time"
+        "`{0}` is neither a 32-bit number nor a time"
         "write numbers like 20, 2#1010 or 16#FF, and times like T#20s or T#1h2m3s4ms"
         "`{0}` não é um número de até 32 bits nem um tempo"
         "escreva números como 20, 2#1010 ou 16#FF, e tempos como T#20s ou T#1h2m3s4ms";
@@ -184,9 +184,9 @@ macro_rules! il_rows {
         "não sobrou {0} na placa para isto"
         "o programa já usa todos; use menos";
     50 BadInitial Error
-        "`{0}` cannot begin with `{1}`: {2}"
+        "`{0}` cannot have the initial value `{1}`: {2}"
         "change the value, or store it in the program while S1 is 1, in the first scan"
-        "`{0}` não pode começar com `{1}`: {2}"
+        "`{0}` não pode ter o valor inicial `{1}`: {2}"
         "mude o valor ou armazene-o no programa enquanto S1 for 1, na primeira varredura";
     51 WrongType Error
         "{0} is {1}, but {2} is needed here"

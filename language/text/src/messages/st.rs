@@ -54,7 +54,7 @@ macro_rules! st_rows {
         "`=` compara, mas esta linha deve guardar um valor"
         "escreva {0} := …";
     111 StAssignForEquals Error
-        "`:=` stores a value, but this place compares two values"
+        "`:=` stores a value, but two values are compared here"
         "write ="
         "`:=` guarda um valor, mas aqui se comparam dois valores"
         "escreva =";
@@ -129,7 +129,7 @@ macro_rules! st_rows {
         "`{0}` é uma entrada desta unidade, e a unidade a altera"
         "use uma variável própria: VAR x : INT; END_VAR";
     126 StInputFirst Warning
-        "only the board changes `{0}`, so its first value is ignored"
+        "only the board changes `{0}`, so its initial value is ignored"
         "leave it out: the board reads its inputs before the first scan"
         "só a placa muda `{0}`, e por isso o seu valor inicial é ignorado"
         "retire-o: a placa lê as entradas antes da primeira varredura";

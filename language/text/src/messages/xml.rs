@@ -174,7 +174,7 @@ macro_rules! xml_rows {
         "{0}: nada está ligado à entrada dele, e por isso ele é ignorado"
         "ligue-o a um fio vindo da esquerda, ou apague-o";
     538 XmlSameName Error
-        "another unit is also called `{0}`; upper and lower case are the same"
+        "another unit is also called `{0}`; upper and lower case are not distinguished"
         "rename one of the two"
         "outra unidade também se chama `{0}`; maiúsculas e minúsculas valem o mesmo"
         "mude o nome de uma das duas";

@@ -85,7 +85,7 @@ impl Builder<'_, '_> {
                 ExprKind::Constant(value) => {
                     let whole = value.real().round();
                     both(
-                        format!("write {whole}, or take REAL for the variable"),
+                        format!("write {whole}, or use REAL for the variable"),
                         format!("escreva {whole} ou use REAL para a variável"),
                     )
                 }
@@ -151,10 +151,10 @@ impl Builder<'_, '_> {
             }
             _ if base == Base::Bool => both(
                 format!(
-                    "for numbers of BOOL write BOOL_TO_INT({written}); AND and OR join two of them"
+                    "to use a BOOL as a number, write BOOL_TO_INT({written}); AND and OR join two BOOL"
                 ),
                 format!(
-                    "para números a partir de BOOL escreva BOOL_TO_INT({written}); AND e OR juntam dois deles"
+                    "para usar um BOOL como número, escreva BOOL_TO_INT({written}); AND e OR juntam dois BOOL"
                 ),
             ),
             _ if base.is_bits() => {

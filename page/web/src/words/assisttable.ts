@@ -10,7 +10,7 @@ export const ASSIST = {
   remedies: ["Fix this line", "Corrigir esta linha"],
   newName: ["New name", "Novo nome"],
   notDeclared: ["There is no declared name here.", "Não há um nome declarado aqui."],
-  noRemedy: ["There is nothing on this line that I can fix.", "Não há nada nesta linha que eu saiba corrigir."],
+  noRemedy: ["Nothing on this line can be fixed automatically.", "Nada nesta linha pode ser corrigido automaticamente."],
   useDeclares: ["declared here", "declarado aqui"],
   useWrites: ["written here", "escrito aqui"],
 } as const satisfies Readonly<Record<string, readonly [string, string]>>;

@@ -58,7 +58,7 @@ export const DRAW = {
   rungUp: ["Move the rung up", "Subir o degrau"],
   rungDown: ["Move the rung down", "Descer o degrau"],
   split: ["Split the rung after this", "Dividir o degrau depois disto"],
-  join: ["Join the rung below", "Unir ao degrau de baixo"],
+  join: ["Join with the rung below", "Unir ao degrau de baixo"],
   moveKeys: ["Move", "Mover"],
   extendKeys: ["Select several", "Selecionar vários"],
   whereKeys: ["After, parallel, before", "Depois, paralelo, antes"],

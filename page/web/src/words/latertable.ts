@@ -27,8 +27,8 @@ export const LATER = {
   cardState: ["With STATE.TXT, where the board writes inputs and outputs", "Com STATE.TXT, onde a placa grava entradas e saídas"],
   rate: ["Rate, in baud", "Taxa, em baud"],
   parity: ["Parity", "Paridade"],
-  shared: ["The link with this program is in the clipboard.", "O link com este programa foi copiado."],
-  sharedOther: ["The link is in the clipboard. Anyone who opens it keeps their own program and sees this one too.", "O link foi copiado. Quem o abrir vê isto sem perder o próprio programa."],
-  sharedDisk: ["The link is in the clipboard, but it works on this computer only. To give this to others, save it and send them the file.", "O link foi copiado, mas só funciona neste computador. Para passar isto a outros, salve e envie o arquivo."],
+  shared: ["The link to this program is on the clipboard.", "O link com este programa foi copiado."],
+  sharedOther: ["The link is on the clipboard. Anyone who opens it keeps their own program and sees this one too.", "O link foi copiado. Quem o abrir vê isto sem perder o próprio programa."],
+  sharedDisk: ["The link is on the clipboard, but it works on this computer only. To give this to others, save it and send them the file.", "O link foi copiado, mas só funciona neste computador. Para passar isto a outros, salve e envie o arquivo."],
   sharedShown: ["Copy this link:", "Copie este link:"],
 } as const satisfies Readonly<Record<string, readonly [string, string]>>;

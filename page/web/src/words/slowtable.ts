@@ -27,7 +27,7 @@ export const SLOW = {
   slowTakePart: ["Remove the breakpoint at: {part}", "Retirar o ponto de parada em: {part}"],
   slowNext: ["Next: line {line}. The accumulator is {acc}.", "Próxima: linha {line}. O acumulador é {acc}."],
   slowLast: ["The program has run. The outputs are written next.", "O programa foi executado. Em seguida, as saídas são escritas."],
-  slowOver: ["The scan is over. The outputs are written.", "A varredura terminou. As saídas estão escritas."],
+  slowOver: ["The scan is over. The outputs have been written.", "A varredura terminou. As saídas foram escritas."],
   slowRuns: ["The program is running.", "O programa está em execução."],
   slowWaits: ["The program is running. It stops at the next breakpoint.", "O programa está em execução. Ele para no próximo ponto de parada."],
   slowNoCode: ["Line {line} generates no code. The breakpoint is on line {there}.", "A linha {line} não gera código. O ponto de parada fica na linha {there}."],
@@ -35,6 +35,6 @@ export const SLOW = {
   slowNoneBehind: ["Line {line} generates no code, and neither does any line after it.", "A linha {line} não gera código, nem nenhuma linha depois dela."],
   slowChanged: ["The program has changed, so slow motion has ended. The board keeps running.", "O programa mudou, por isso a câmera lenta terminou. A placa continua."],
   slowEnded: ["Slow motion has ended. The board keeps running.", "A câmera lenta terminou. A placa continua."],
-  slowNothing: ["The board runs another program. Press Run on the board first.", "A placa executa outro programa. Aperte primeiro Executar na placa."],
+  slowNothing: ["The board runs a different program. Press Run on the board first.", "A placa executa outro programa. Aperte primeiro Executar na placa."],
   slowDesk: ["On a real board, use single scans (menu Board). Slow motion is for the simulated board.", "Em uma placa real, use varreduras únicas (menu Placa). A câmera lenta é para a placa simulada."],
 } as const satisfies Readonly<Record<string, readonly [string, string]>>;

@@ -108,7 +108,7 @@ test("a browser that keeps nothing says so, and offers the file", async () => {
   });
   page.on("dialog", (dialog) => void dialog.accept());
   await page.reload();
-  const note = page.locator("#notes", { hasText: "does not keep your program" });
+  const note = page.locator("#notes", { hasText: "cannot store your program" });
   await note.waitFor();
   const download = page.waitForEvent("download");
   await note.getByRole("button", { name: "Save" }).click();
@@ -117,7 +117,7 @@ test("a browser that keeps nothing says so, and offers the file", async () => {
 });
 
 test("a browser whose store is forbidden to the page says so, and runs the program", async () => {
-  for (const [locale, said] of /** @type {const} */ ([["en-US", "does not keep your program"], ["pt-BR", "não guarda o seu programa"]])) {
+  for (const [locale, said] of /** @type {const} */ ([["en-US", "cannot store your program"], ["pt-BR", "não guarda o seu programa"]])) {
     const context = await lab.browser.newContext({ locale, serviceWorkers: "block" });
     await context.addInitScript(() => {
       for (const name of ["localStorage", "sessionStorage", "indexedDB"]) {

@@ -44,7 +44,7 @@ test("all boards are seen with what they do, their faults and alarms", async () 
   const card = (/** @type {string} */ name) => page.locator(`[data-board="${name}"]`);
   assert.equal(await card("estufa").locator(".status").textContent(), "RUN");
   assert.equal(await card("forno").locator(".status").textContent(), "FAULT 51");
-  assert.equal(await card("bomba").locator(".status").textContent(), "Away");
+  assert.equal(await card("bomba").locator(".status").textContent(), "No answer");
   await card("bomba").getByText("no such port").waitFor();
   await card("estufa").getByText("Forced").waitFor();
   await card("estufa").getByText("high: the greenhouse is too hot").waitFor();

@@ -165,7 +165,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "run",
         "every",
-        "Quanto depois da anterior começa cada varredura, em ms [padrão: 1]",
+        "O tempo do início de uma varredura ao início da seguinte, em ms [padrão: 1]",
     ),
     (
         "run",
@@ -315,7 +315,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "",
         "keep_forces",
-        "Deixa forçado o que está forçado; sem isto, é liberado depois da gravação",
+        "Mantém os pontos forçados; sem isto, são liberados depois da gravação",
     ),
     (
         "serve",
@@ -368,7 +368,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "site history",
         "step",
-        "Uma linha para cada intervalo, com o menor, o maior e o último valor; sem isto, cada mudança",
+        "Uma linha para cada intervalo, com o mínimo, o máximo e o último valor; sem isto, cada mudança",
     ),
     (
         "",

@@ -15,7 +15,7 @@ pub struct Doors {
     /// Share the board at this serial port: /dev/ttyACM0, /dev/ttyUSB0, COM3 …
     #[arg(long)]
     port: Option<String>,
-    /// Have the exercises and machines of this folder in the page too
+    /// Show the exercises and machines of this folder on the page too
     #[arg(long, value_name = "FOLDER")]
     exercises: Option<PathBuf>,
     /// Share the boards of this site file

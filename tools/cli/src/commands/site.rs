@@ -57,7 +57,7 @@ pub struct Asked {
     /// How far back: 90s, 15m, 1h, 30d
     #[arg(long, value_name = "TIME", default_value = "1h")]
     last: String,
-    /// One row for so long, with the least, the most and the last value; without it, each change
+    /// One row for each interval, with the minimum, the maximum and the last value; without it, each change
     #[arg(long, value_name = "TIME")]
     step: Option<String>,
 }

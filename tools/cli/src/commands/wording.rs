@@ -12,14 +12,14 @@ use unoclp_workspace::{All, Workspace};
 /// How to read a program.
 #[derive(Args, Clone)]
 pub struct Wording {
-    /// Whose Instruction List it is; else what its words look like
+    /// The manufacturer whose Instruction List it is; without it, the one that its words indicate
     #[arg(long, value_parser = dialects())]
     pub(super) dialect: Option<Dialect>,
-    /// The language of the program; else what its name and its words tell
+    /// The language of the program; without it, the one that its name and words indicate
     #[arg(long, value_parser = languages())]
     pub(super) language: Option<WrittenIn>,
-    /// The board that it is for, if it is not the board that is met, or else an UNO: a Nano has no REAL numbers, a Mega has
-    /// more of all, a PC has 99 of each point
+    /// The target board; without it, the board at the port, or a UNO. A Nano has no REAL numbers, a Mega has more of
+    /// everything, a PC has 99 of each point
     #[arg(long, value_name = "BOARD", value_parser = boards())]
     board: Option<Board>,
 }

@@ -100,7 +100,7 @@ unoclp_words::messages! {
         "{folder} contains no program and no hand-in (.unoclp.json). {languages}"
         "{folder} não tem nenhum programa e nenhuma entrega (.unoclp.json). {languages}";
     left_out(ends, files)
-        "skipped, because a program's name ends in {ends}, and that of a hand-in in .unoclp.json: {files}"
+        "skipped, because program names end in {ends}, and hand-in names in .unoclp.json: {files}"
         "ficaram de fora, pois o nome de um programa termina em {ends}, e o de uma entrega em .unoclp.json: {files}";
     no_exercises(folder)
         "{folder} contains no exercise. An exercise is a scenario file with cases, and its name ends in .toml"
@@ -124,7 +124,7 @@ unoclp_words::messages! {
         "{file}: `form` is {form}, but this unoclp reads {due}; use the same version of unoclp as the page"
         "{file}: `form` é {form}, mas este unoclp lê {due}; use a mesma versão do unoclp que a página";
     says_passed(file)
-        "{file}: the hand-in claims to have passed, but it did not; the table has the valid result"
+        "{file}: the hand-in claims to have passed, but it did not; the table shows the real result"
         "{file}: a entrega diz que passou, e não passou; o que vale é a tabela";
     moodle_identifier() "Identifier" "Identificador";
     moodle_name() "Full name" "Nome completo";
@@ -202,7 +202,7 @@ unoclp_words::messages! {
         "{port} does not speak Modbus at {rate} baud, {parity}; are these the board's settings (--rate, --parity)?"
         "{port} não fala Modbus a {rate} baud, {parity}; são esses os ajustes da placa (--rate, --parity)?";
     no_unoclp(port, foreign)
-        "the device at {port} does not run unoclp{foreign}; `unoclp flash` installs the firmware on an UNO or a Nano"
+        "the device at {port} does not run unoclp{foreign}; `unoclp flash` installs the firmware on a UNO or a Nano"
         "o dispositivo em {port} não roda o unoclp{foreign}; `unoclp flash` grava o firmware em um UNO ou Nano";
     no_port(port, others) "there is no port {port}; {others}" "não existe a porta {port}; {others}";
     no_ports()
@@ -336,10 +336,10 @@ unoclp_words::messages! {
         "the history has no point {point}; it has {points}"
         "o histórico não tem o ponto {point}; ele tem {points}";
     history_foreign(file)
-        "{file} is not a history of unoclp, so it was not changed. Name another file under `store`"
+        "{file} is not a unoclp history file, so it was not changed. Name another file under `store`"
         "{file} não é um histórico do unoclp; por isso ficou como estava. Indique outro arquivo em `store`";
     history_version(file, version)
-        "{file} is a history of another version of unoclp (format {version}), so it was not changed. Use that version, or name another file under `store`"
+        "{file} is a history file from another version of unoclp (format {version}), so it was not changed. Use that version, or name another file under `store`"
         "{file} é um histórico de outra versão do unoclp (formato {version}); ficou como estava. Use essa versão, ou indique outro em `store`";
     history_full(file)
         "{file} cannot grow: the disk is full. New samples wait in the journal; free some space"
@@ -348,17 +348,17 @@ unoclp_words::messages! {
         "{file} is read-only; give this user write permission"
         "{file} é somente leitura; dê a este usuário permissão de gravar";
     history_fails(file, why)
-        "{file} cannot be used: {why}; check its folder, and whether another program uses it"
-        "não foi possível usar {file}: {why}; confira a pasta dele, e se outro programa o usa";
+        "{file} cannot be used: {why}; check its folder, and whether another program is using it"
+        "não foi possível usar {file}: {why}; confira a pasta dele e se outro programa o está usando";
     history_away(server, why)
         "{server}: not reachable: {why}. New samples wait in the journal"
         "{server}: fora do ar: {why}. As amostras novas esperam no diário";
     held() "another program has locked it" "outro programa o bloqueou";
     journal_foreign(file)
-        "{file} is not a journal of unoclp, so it was not changed. Write [journal] with another `store`"
+        "{file} is not a unoclp journal file, so it was not changed. Write [journal] with another `store`"
         "{file} não é um diário do unoclp; por isso ficou como estava. Escreva [journal] com outro `store`";
     journal_version(file, version)
-        "{file} is a journal of another version of unoclp (format {version}), so it was not changed. Run that version until history and broker have all of it, or write [journal] with another `store`"
+        "{file} is a journal file from another version of unoclp (format {version}), so it was not changed. Run that version until history and broker have all of it, or write [journal] with another `store`"
         "{file} é um diário de outra versão do unoclp (formato {version}); por isso ficou como estava. Rode essa versão até o histórico e o broker terem tudo, ou escreva [journal] com outro `store`";
     journal_full(file)
         "{file} cannot grow: the disk is full. New samples wait in memory, and history and broker wait for them; free some space"
@@ -389,22 +389,22 @@ unoclp_words::messages! {
         "{file}: copied {rows} rows of {points} points to {database}; start unoclp serve again"
         "{file}: {rows} linhas de {points} pontos foram copiadas para {database}; inicie o unoclp serve de novo";
     alarm_came(name, text) "alarm {name}: {text}" "alarme {name}: {text}";
-    alarm_gone(name) "alarm {name}: gone" "alarme {name}: passou";
+    alarm_gone(name) "alarm {name}: cleared" "alarme {name}: passou";
     alarm_acknowledged(name, who)
         "alarm {name}: acknowledged by {who}"
         "alarme {name}: reconhecido por {who}";
     record_foreign(file)
-        "{file} is not a record of unoclp, and was not changed; move it elsewhere"
+        "{file} is not a unoclp record file, so it was not changed; move it elsewhere"
         "{file} não é um livro de ocorrências do unoclp e não foi alterado; mova-o para outro lugar";
     record_version(file, version)
-        "{file} is a record of a later version of unoclp (format {version}), so it was not changed; use that version, or move the file elsewhere"
+        "{file} is a record file from a later version of unoclp (format {version}), so it was not changed; use that version, or move the file elsewhere"
         "{file} é um livro de ocorrências de uma versão mais nova do unoclp (formato {version}) e não foi alterado; use essa versão ou mova o arquivo para outro lugar";
     record_full(file)
         "{file} cannot grow: the disk is full. New entries wait in memory; free some space"
         "{file} não pode crescer: o disco está cheio. As novas entradas esperam na memória; libere espaço";
     user_key(token, name, role, key)
-        "token for {name} only, shown this once: {token}\nfor the site file:\n\n[[user]]\nname = \"{name}\"\nrole = \"{role}\"\nkey = \"{key}\""
-        "token só para {name}, mostrado só esta vez: {token}\npara o arquivo de instalação:\n\n[[user]]\nname = \"{name}\"\nrole = \"{role}\"\nkey = \"{key}\"";
+        "token for {name} only, shown only once: {token}\nfor the site file:\n\n[[user]]\nname = \"{name}\"\nrole = \"{role}\"\nkey = \"{key}\""
+        "token só para {name}, mostrado uma única vez: {token}\npara o arquivo de instalação:\n\n[[user]]\nname = \"{name}\"\nrole = \"{role}\"\nkey = \"{key}\"";
     no_user_name(name)
         "{name} is not a valid user name; start with a letter, then use letters, digits, - or _, at most 32 characters"
         "{name} não é um nome de usuário válido; comece com uma letra e use letras, algarismos, - ou _, no máximo 32 caracteres";
@@ -630,7 +630,7 @@ unoclp_words::messages! {
         "A5 está fechado: STOP até ser aberto";
     upload_under_way() "an upload is in progress" "há um envio em andamento";
     card_failed()
-        "the card failed: STATE.TXT is no longer kept"
+        "the card failed: STATE.TXT is no longer updated"
         "o cartão falhou: STATE.TXT não é mais atualizado";
     another_program(file, bytes, sum, own_bytes, own_sum)
         "the board runs a program other than {file}: {bytes} bytes {sum}, not {own_bytes} bytes {own_sum}"
@@ -650,6 +650,6 @@ unoclp_words::messages! {
         "é preciso pelo menos {columns} x {lines}";
     q_quits() "q quits" "q encerra";
     in_fault_later(ms)
-        "in FAULT, within the first {ms} ms of its scans:"
+        "in FAULT, within the first {ms} ms of scanning:"
         "em FAULT nos primeiros {ms} ms de varreduras:";
 }

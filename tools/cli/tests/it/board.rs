@@ -91,7 +91,7 @@ fn what_is_no_board_is_told_apart() {
         identity: ["ACME", "Meter", "3"],
         ..Board::default()
     }));
-    let way_on = "; `unoclp flash` installs the firmware on an UNO or a Nano";
+    let way_on = "; `unoclp flash` installs the firmware on a UNO or a Nano";
     assert_eq!(
         error,
         format!("the device at {path} does not run unoclp but \"ACME Meter 3\"{way_on}")

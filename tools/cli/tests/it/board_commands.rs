@@ -468,7 +468,7 @@ fn a_board_that_fails_in_its_first_second_is_not_said_to_run() {
     let (code, out, err) = on(&fake, &["upload", &program]);
     assert_eq!((code, err.as_str()), (1, ""), "{out}");
     let says = format!(
-        "in FAULT, within the first 1000 ms of its scans:\n\
+        "in FAULT, within the first 1000 ms of scanning:\n\
          {program}:5: fault 75: too many jumps back in one scan (NC-19)\n  JMP again\n"
     );
     assert!(out.ends_with(&says), "{out}");

@@ -81,7 +81,13 @@ fn sim_draws_what_was_pressed_expected_and_came() {
         let (code, _, err) = outcome(&["sim", &program, "--scenario", &exercise, "--svg", drawing]);
         assert_eq!(code, i32::from(!passes), "{err}");
         let svg = fs::read_to_string(drawing).unwrap();
-        for text in ["I1 on &lt;1&gt;", "Q1 lamp", "expected", "came", "It stays"] {
+        for text in [
+            "I1 on &lt;1&gt;",
+            "Q1 lamp",
+            "expected",
+            "actual",
+            "It stays",
+        ] {
             assert!(svg.contains(text), "{text} in {svg}");
         }
         let why = "FAIL: Q1 at 120 ms: expected 1, got 0";

@@ -75,7 +75,7 @@ fn what_would_run_for_ever_is_refused_or_stopped() {
         let exercise = put(&folder, "long.toml", &exercise);
         for words in [&["grade", &exercise, &il][..], &["sim", &il, "--scenario", &exercise]] {
             let (code, _, err) = outcome(words);
-            assert!(code == 2 && err.contains("long.toml:") && err.contains("scans, but all cases of a file together may make 2000000"), "{err}");
+            assert!(code == 2 && err.contains("long.toml:") && err.contains("scans, but all cases of a file together may take 2000000"), "{err}");
         }
     }
     let folder = folder.to_str().unwrap();

@@ -87,7 +87,7 @@ fn a_program_without_room_for_two_records_is_refused_with_what_is_lacking() {
             "{out}"
         );
         assert!(
-            out.contains("what is kept takes room for two records"),
+            out.contains("retained values need room for two records"),
             "{out}"
         );
         let (code, out, _) = outcome_in(&["check", &program], "pt_BR.UTF-8");

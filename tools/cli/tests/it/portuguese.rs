@@ -30,7 +30,7 @@ const ENGLISH: &[&str] = &[
     "options",
     "arguments",
     "expected",
-    "came",
+    "got",
     "rung",
     "input",
     "output",

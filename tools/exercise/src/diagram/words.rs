@@ -4,7 +4,7 @@
 
 unoclp_words::messages! {
     expected() "expected" "esperado";
-    came() "came" "ocorreu";
+    came() "actual" "ocorreu";
     power_cut() "power cut" "queda de energia";
     seconds(whole, tenths) "{whole}.{tenths} s" "{whole},{tenths} s";
     legend()

@@ -30,7 +30,7 @@ unoclp_words::messages! {
         "{told}; a scenario is a file in TOML (.toml)"
         "{told}; um cenário é um arquivo em TOML (.toml)";
     too_many_scans(scans, most)
-        "this would take {scans} scans, but all cases of a file together may make {most}; end it earlier (`until`), or make `scan_ms` longer"
+        "this would take {scans} scans, but all cases of a file together may take {most}; end it earlier (`until`), or make `scan_ms` longer"
         "isto levaria {scans} varreduras, mas os casos de um arquivo podem somar {most}; termine antes (`until`) ou aumente `scan_ms`";
     program(name, why) "the program {name} {why}" "o programa {name} {why}";
     has_errors() "has errors; `unoclp check` shows them" "tem erros; `unoclp check` os mostra";
@@ -120,7 +120,7 @@ unoclp_words::messages! {
         "stopped as expected at {at} ms: {fault}"
         "parou como esperado aos {at} ms: {fault}";
     expected(what) "expected {what}" "esperado: {what}";
-    came(what) "came     {what}" "ocorreu:  {what}";
+    came(what) "got      {what}" "ocorreu:  {what}";
     at_time(at, what) "at {at} ms {what}" "aos {at} ms, {what}";
     that_it_runs() "that the program runs" "que o programa rodasse";
     that_it_runs_on() "that the program keeps running" "que o programa continuasse";

@@ -37,7 +37,7 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("[[step]]\nat = 0\nset = { I1 = \"any\" }", 5, "I1 must be 0 or 1"),
         ("[[step]]\nat = 0\nexpect = { Q1 = true }", 5, "Q1 must be 0 or 1, or \"any\""),
         ("[[step]]\nat = 0\nexpect = { Q1 = \"all\" }", 5, "Q1 must be 0 or 1, or \"any\""),
-        ("until = 1000000000\n[[step]]\nat = 0", 3, "this would take 1000000001 scans, but all cases of a file together may make 2000000; end it earlier (`until`), or make `scan_ms` longer"),
+        ("until = 1000000000\n[[step]]\nat = 0", 3, "this would take 1000000001 scans, but all cases of a file together may take 2000000; end it earlier (`until`), or make `scan_ms` longer"),
         ("names = { Q1 = 1 }\n[[step]]\nat = 0", 3, "write a text as \"…\" or { en = \"…\", pt = \"…\" }, or with only one of the two languages"),
         ("names = { Q1 = {} }\n[[step]]\nat = 0", 3, "write a text as \"…\" or { en = \"…\", pt = \"…\" }, or with only one of the two languages"),
         ("[[step]]\nat = 5\n[[step]]\nat = 4", 6, "the step at 4 ms is not later than the one at 5 ms; put the steps in chronological order"),
@@ -257,11 +257,11 @@ fn a_run_may_end_in_a_fault() {
             "stops-later.toml",
             "stops = { at = 5, number = 75, line = 4 }"
         ),
-        format!("FAIL\n  expected at 5 ms {fault}\n  came     at 3 ms {fault}")
+        format!("FAIL\n  expected at 5 ms {fault}\n  got      at 3 ms {fault}")
     );
     assert_eq!(
         told("stops-not.toml", "until = 4"),
-        format!("FAIL\n  expected that the program keeps running\n  came     at 3 ms {fault}")
+        format!("FAIL\n  expected that the program keeps running\n  got      at 3 ms {fault}")
     );
     let runs_on = load(
         "runs-on.toml",

@@ -114,11 +114,11 @@ fn full(lacking: [usize; 2], board: Board, lang: Lang) -> String {
     match lang {
         Lang::En => format!(
             "the {name} holds {stored} bytes of program and has {linked} bytes to run it{lacking}. Timers, markers and \
-             numbers take more there than stored; what is kept takes room for two records"
+             numbers take more run memory than program memory; retained values need room for two records"
         ),
         Lang::Pt => format!(
             "o {name} guarda {stored} bytes de programa e tem {linked} bytes para executá-lo{lacking}. Temporizadores, \
-             memórias e números ocupam ali mais do que guardados; o que é retido precisa de lugar para duas gravações"
+             memórias e números ocupam mais memória de execução que de programa; o que é retido precisa de lugar para duas gravações"
         ),
     }
 }
@@ -133,7 +133,7 @@ pub fn no_real(code: i32, lang: Lang) -> Option<String> {
     let letters = opcode.row().letters;
     Some(match lang {
         Lang::En => format!(
-            "{code} is {letters}, for REAL numbers, which the firmware of a Nano lacks; use whole numbers, or an UNO"
+            "{code} is {letters}, for REAL numbers, which the firmware of a Nano lacks; use whole numbers, or a UNO"
         ),
         Lang::Pt => format!(
             "{code} é {letters}, para números REAL, que o firmware de um Nano não tem; use números inteiros ou um UNO"

@@ -111,7 +111,7 @@ async fn points(State(api): State<Api>) -> Response<Body> {
     ("from" = Option<i64>, Query, description = "From this moment on, ms since 1970"),
     ("to" = Option<i64>, Query, description = "Until before this moment, ms since 1970"),
     ("last" = Option<String>, Query, description = "In place of `from`: how far back, 90s, 15m, 1h, 30d; 1h without both"),
-    ("step" = Option<String>, Query, description = "One row for so long; without it, each change"),
+    ("step" = Option<String>, Query, description = "One row for each interval of this length; without it, each change"),
     ("most" = Option<u32>, Query, description = "At most so many rows, 1 to 100000; 10000 without it")),
     responses(
     (status = 200, description = "What the point was", body = PastOf),
@@ -131,7 +131,7 @@ async fn history(
     ("from" = Option<i64>, Query, description = "From this moment on, ms since 1970"),
     ("to" = Option<i64>, Query, description = "Until before this moment, ms since 1970"),
     ("last" = Option<String>, Query, description = "In place of `from`: how far back, 90s, 15m, 1h, 30d; 1h without both"),
-    ("step" = Option<String>, Query, description = "One row for so long; without it, each change"),
+    ("step" = Option<String>, Query, description = "One row for each interval of this length; without it, each change"),
     ("most" = Option<u32>, Query, description = "At most so many rows, 1 to 100000; 10000 without it")),
     responses(
     (status = 200, description = "The same as comma-separated values, to be kept as a file", content_type = "text/csv"),

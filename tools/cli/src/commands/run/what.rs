@@ -18,10 +18,10 @@ pub struct What {
     text: Option<String>,
     #[command(flatten)]
     pub(super) wording: Wording,
-    /// How often the program runs
+    /// How many times the program runs
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(super) scans: u32,
-    /// How much later each scan begins than the one before, in ms
+    /// The time from the start of one scan to the start of the next, in ms
     #[arg(long, value_name = "MS", default_value_t = 1)]
     every: u32,
     /// Set a variable before the first scan, like an input
