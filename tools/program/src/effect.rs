@@ -175,9 +175,9 @@ const fn portuguese(opcode: Opcode) -> &'static str {
         }
         Opcode::UnsignedLess => "comparação: acc := acc AND (valor < operando), ambos sem sinal",
         Opcode::If => {
-            "se acc = 1, continua aqui; senão, depois do ELS ou END que lhe pertence; novo degrau"
+            "se acc = 1, continua aqui; senão, depois do ELS ou END correspondente; novo degrau"
         }
-        Opcode::Else => "daqui em diante se acc no seu IF era 0; novo degrau",
+        Opcode::Else => "daqui em diante, se acc era 0 no IF correspondente; novo degrau",
         Opcode::EndIf => "o fim de um IF; novo degrau",
     }
 }
