@@ -111,23 +111,23 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[modbus]\nlisten = 5\n"),
             6,
-            "`listen` takes another kind",
+            "`listen` takes a different kind",
         ),
         (
             with("[modbus]\nlisten = \"127.0.0.1:1\"\nwrite = \"x.D1\"\n"),
             7,
-            "`write` takes another kind",
+            "`write` takes a different kind",
         ),
         (
             with("[modbus]\nlisten = \"127.0.0.1:1\"\nwrite = [5]\n"),
             7,
-            "`write` takes another kind",
+            "`write` takes a different kind",
         ),
-        ("line = 5\n".into(), 1, "`line` takes another kind"),
+        ("line = 5\n".into(), 1, "`line` takes a different kind"),
         (
             "http = 5\n".to_owned() + LINE,
             1,
-            "`http` takes another kind",
+            "`http` takes a different kind",
         ),
         (
             with("address = 0\n"),
@@ -294,7 +294,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[http]\nlisten = \"127.0.0.1:1\"\ntls = 5\n"),
             7,
-            "`tls` takes another kind",
+            "`tls` takes a different kind",
         ),
         (
             with("[journal]\nevery = \"2m\"\n"),
@@ -309,7 +309,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[record]\nbound = 5\n"),
             6,
-            "`bound` takes another kind",
+            "`bound` takes a different kind",
         ),
         (granted("x"), 8, "x names no point; write board and point"),
         (

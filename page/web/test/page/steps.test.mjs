@@ -14,7 +14,7 @@ after(() => lab.end());
 
 const WORDS = {
   "en-US": { put: "Put it into the editor", next: "Next step", draw: "Start on an empty sheet", rung: "Draw it first" },
-  "pt-BR": { put: "Pôr no editor", next: "Próximo passo", draw: "Começar em uma folha vazia", rung: "Desenhe primeiro" },
+  "pt-BR": { put: "Colocar no editor", next: "Próximo passo", draw: "Começar em uma folha vazia", rung: "Desenhe primeiro" },
 };
 
 for (const locale of /** @type {const} */ (["en-US", "pt-BR"])) {
