@@ -605,10 +605,7 @@ fn a_history_moves_to_a_database_and_goes_on_there() {
     assert!(server.child.wait().unwrap().success());
     let (code, said) = moving(&new);
     assert_eq!(code, Some(0), "{said}");
-    assert!(
-        said.contains("/plant too; start unoclp serve again"),
-        "{said}"
-    );
+    assert!(said.contains("/plant; start unoclp serve again"), "{said}");
     let count = || {
         database.psql(
             "plant",

@@ -175,7 +175,7 @@ test("a panel is edited and saved as a file", async () => {
   await rows.nth(2).getByLabel("Show as").selectOption("set");
   await rows.nth(2).getByLabel("Label (English)").fill('The "target"');
   await rows.nth(2).getByLabel("Label (Portuguese)").fill("O alvo");
-  await rows.nth(2).getByLabel("Most").fill("40,5");
+  await rows.nth(2).getByLabel("Maximum").fill("40,5");
   await page.keyboard.press("Tab");
   await page.getByRole("button", { name: "Remove Q1" }).click();
   await page.getByRole("button", { name: /Move The "target" up/ }).click();

@@ -90,7 +90,10 @@ export const STATES = [
     await page.locator("#gallery [data-machine]").first().click();
     await page.locator("#machine-picture svg").waitFor();
   }),
-  at("machine-phone", (page) => page.click("#page-machine"), { options: PHONE }),
+  at("machine-phone", async (page) => {
+    await page.locator("#run:enabled").waitFor();
+    await page.click("#page-machine");
+  }, { options: PHONE }),
   at("examples", async (page) => {
     await pick(page, "#examples");
     await page.locator("dialog img, dialog svg").nth(3).waitFor();

@@ -163,8 +163,8 @@ fn a_board_of_a_site_that_has_fewer_points_than_its_kind_is_told() {
     for (lang, begins, lacks, remedy) in [
         (
             "C",
-            "far: not reachable: unoclp UNO ",
-            " answers, which has fewer points than a Mega; ",
+            "far: not reachable: the board says that it is unoclp UNO ",
+            ", which has fewer points than a Mega; ",
             "change `kind` in the site file, or the board",
         ),
         (

@@ -42,7 +42,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             "title = 5\n[[part]]\nname = \"b\"\nkind = \"button\"\n".into(),
             1,
-            "`title` takes another kind",
+            "`title` takes a different kind",
         ),
         ("title = \"t\"\n".into(), 1, "there are no parts"),
         (
@@ -51,7 +51,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             "`kind` cannot be \"wheel\"; choose \"button\"",
         ),
         (part("lamp", ""), 10, "`by` is missing; write `by = \"Q1\"`"),
-        (part("lamp", "by = 1\n"), 13, "`by` takes another kind"),
+        (part("lamp", "by = 1\n"), 13, "`by` takes a different kind"),
         (
             with("[[part]]\nname = \"if\"\nkind = \"button\"\n"),
             11,
@@ -221,7 +221,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[draw]]\nkind = \"pipe\"\npoints = [[0]]\n"),
             12,
-            "`points` takes another kind",
+            "`points` takes a different kind",
         ),
         (
             "title = \"t\"\n".to_owned()
