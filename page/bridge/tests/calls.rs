@@ -454,7 +454,7 @@ fn nothing_that_is_asked_panics() {
     told(json!({ "ask": "step", "board": board, "now": 9e9, "came": [] }));
 }
 
-/// The page has checked it for a Mega; the board at the port is an UNO.
+/// The page has checked it for a Mega; the board at the port is a UNO.
 #[test]
 fn a_program_that_the_board_at_hand_lacks_points_for_is_not_sent() {
     let mut boards = Boards::default();

@@ -1,7 +1,7 @@
 //! A board as it comes out of its box: its boot loader, and a sketch that does nothing.
 //!
 //! The boot loaders come with Debian's Arduino core. That core's own Optiboot for this chip is larger than the 512 bytes
-//! that the fuses of an UNO leave it: its compiler unrolls more than Arduino's did. So its source is compiled here with
+//! that the fuses of a UNO leave it: its compiler unrolls more than Arduino's did. So its source is compiled here with
 //! what makes it fit.
 
 use crate::{Chip, Error, Program};

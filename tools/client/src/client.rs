@@ -127,7 +127,7 @@ impl Client {
         self.patience
     }
 
-    /// The board at the other end: an UNO until another has [said](Client::identify) what it is.
+    /// The board at the other end: a UNO until another has [said](Client::identify) what it is.
     pub fn board(&self) -> Board {
         self.link.board()
     }

@@ -19,7 +19,7 @@ const REGISTERS: [Span; 5] = [
     holding::FORCING_ENDS,
 ];
 
-/// Those of the inputs above 16, which only a board with more inputs than an UNO has.
+/// Those of the inputs above 16, which only a board with more inputs than a UNO has.
 const MORE: [Span; 2] = [holding::FORCED_MORE, holding::MORE_TO];
 
 /// Who has forced points, and when they are let go.

@@ -17,7 +17,7 @@ const TURN = 80;
 const PAIRS = 150;
 const SCREEN = 60;
 const BLOCK = 512;
-/** Says of a machine that it is wired to a Mega; the others are to an UNO. */
+/** Says of a machine that it is wired to a Mega; the others are to a UNO. */
 const FOR_MEGA = /^board = "mega"$/m;
 
 const page = new URL("../page/", import.meta.url);

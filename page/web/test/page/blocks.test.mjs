@@ -77,13 +77,15 @@ test("an FBD with a counter and fan-out", async () => {
   await pick(page, "#look-blocks");
   await page.locator("#sheet text", { hasText: "CTU" }).first().waitFor();
   // The name stands where it is written, and where it is taken.
-  const named = await page.locator('#sheet .element[data-point="M1"]').count();
-  assert.equal(named, 3);
-  assert.ok((await page.locator("#sheet text.order").count()) > 0, "when a block runs is shown");
+  await page.waitForFunction(() => document.querySelectorAll('#sheet .element[data-point="M1"]').length === 3);
+  // So is when a block runs.
+  await page.locator("#sheet text.order").first().waitFor();
   await run(page);
-  const count = (/** @type {number} */ input) => holding(page, input, () => page.locator(`#sheet .ladder.live .element.on[data-point="I${input}"]`).first().waitFor());
-  await count(1);
-  await count(1);
+  const contact = (state = "") => page.locator(`#sheet .ladder.live .element${state}[data-point="I1"]`).first();
+  for (let count = 0; count < 2; count++) {
+    await holding(page, 1, () => contact(".on").waitFor());
+    await contact(":not(.on)").waitFor();
+  }
   await lamp(page, 1, true);
   await lamp(page, 2, true);
   await page.locator('#sheet .ladder.live .element.on[data-point="M1"]').nth(2).waitFor();

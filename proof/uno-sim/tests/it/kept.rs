@@ -223,7 +223,7 @@ fn numbers_that_always_change_do_not_wear_the_eeprom_out() {
     uno.run_ms(12 * 50).unwrap();
     let length = uno.read_eeprom(program::LENGTH, 2).unwrap();
     let length = u16::from_le_bytes(*length.first_chunk().unwrap());
-    // As many as an UNO has: the longer ring of another board lasts longer.
+    // As many as a UNO has: the longer ring of another board lasts longer.
     let places = u64::from((program::END - numbers::first(length)) / u16::from(numbers::record(1)));
     let before = records(&uno) as u64;
     // The clock stands, and goes on by a second at a time: what goes on beside the scans waits for it.

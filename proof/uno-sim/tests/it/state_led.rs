@@ -1,4 +1,4 @@
-//! LED L and the clock of the card are one pin on an UNO: who has it while STATE.TXT is written.
+//! LED L and the clock of the card are one pin on a UNO: who has it while STATE.TXT is written.
 
 use crate::common::state::{run_to_save, running, state_card};
 use unoclp_uno_sim::{CYCLES_PER_MS, Edge, Pin};

@@ -1,4 +1,4 @@
-//! What a client sees and changes of the points that a Mega has and an UNO has not; and what becomes of an upload that meets an
+//! What a client sees and changes of the points that a Mega has and a UNO has not; and what becomes of an upload that meets an
 //! UNO in its place.
 
 use crate::BOARD;
@@ -84,7 +84,7 @@ fn a_program_of_full_size_is_uploaded_and_all_points_are_forced() {
 /// Output 01 follows input 01.
 const NEAR: &str = "0\n827301\n877901\n";
 
-/// An UNO that runs this.
+/// A UNO that runs this.
 fn running_uno(text: &str) -> Uno {
     let firmware = Program::read(&firmware_file().unwrap()).unwrap();
     let mut uno = Uno::with_program(firmware, Slot::Card(card(text))).unwrap();

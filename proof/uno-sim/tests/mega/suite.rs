@@ -13,7 +13,7 @@ use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
 /// What scenarios say of the UNO alone: there inputs 05 to 08 read as 0 where no code names them.
 const OF_AN_UNO: [&str; 2] = ["load-inputs.toml", "load-inputs-named.toml"];
 
-/// Where a program is too much for an UNO and not for a Mega, or asks for a point that only this has, it is accepted as the
+/// Where a program is too much for a UNO and not for a Mega, or asks for a point that only this has, it is accepted as the
 /// core accepts it.
 #[test]
 fn every_scenario_in_lockstep() {
@@ -52,7 +52,7 @@ fn run_all<S: Simulated>(of: Of) {
         }
     }
     println!(
-        "{passed} scenarios passed, {other} are of an UNO, {} failed",
+        "{passed} scenarios passed, {other} are of a UNO, {} failed",
         failed.len()
     );
     assert!(failed.is_empty(), "{}", failed.join("\n\n"));

@@ -43,7 +43,7 @@ pub fn upload(path: &Path, place: &Place, leave: &Leave, wording: &Wording) -> O
     let mut opened = |wording: &Wording| texts.open(written(wording));
     let mut wording = wording.clone();
     let mut met = None;
-    // A program that is too much for an UNO may be right for the board that is there.
+    // A program that is too much for a UNO may be right for the board that is there.
     let mut others = Board::ALL.into_iter().filter(Board::has_firmware);
     if !wording.names_board()
         && opened(&wording).source().is_none()

@@ -39,7 +39,7 @@ pub struct Port {
 const ATTEND: Duration = Duration::from_millis(10);
 
 impl Port {
-    /// Opens the port. Also tells whether that has probably reset an UNO.
+    /// Opens the port. Also tells whether that has probably reset a UNO.
     ///
     /// # Errors
     /// If the port is not there or may not be used.

@@ -1,6 +1,6 @@
 //! Opening the serial port.
 //!
-//! On an UNO the line DTR of the USB port resets the board when it goes from off to on. Linux and macOS turn
+//! On a UNO the line DTR of the USB port resets the board when it goes from off to on. Linux and macOS turn
 //! it on whenever a port is opened, and off when it is closed, unless the port's HUPCL is cleared. So that is
 //! cleared here: the first opening since the board was plugged in may reset it, later ones do not. On
 //! Windows DTR stays off.
@@ -60,7 +60,7 @@ pub enum NotOpened {
     },
 }
 
-/// Opens the port of a place. Also tells whether that has probably reset an UNO there.
+/// Opens the port of a place. Also tells whether that has probably reset a UNO there.
 ///
 /// # Errors
 /// Where the port is not there or may not be used.

@@ -1,4 +1,4 @@
-//! Points of a Mega in a program for an UNO, in every language: told with what the board has, and which board has more.
+//! Points of a Mega in a program for a UNO, in every language: told with what the board has, and which board has more.
 
 use std::path::Path;
 use std::process::Command;

@@ -1,4 +1,4 @@
-//! A Mega at a port and behind `unoclp serve`: its firmware on simavr, in the program `unoclp-uno-sim`; and an UNO in its place.
+//! A Mega at a port and behind `unoclp serve`: its firmware on simavr, in the program `unoclp-uno-sim`; and a UNO in its place.
 
 use crate::pty::{PATIENT, kept};
 use crate::{Server, http, site, unoclp_site};

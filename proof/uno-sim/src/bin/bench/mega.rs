@@ -7,7 +7,7 @@ use unoclp_uno_sim::sd::{Kind, SdCard};
 use unoclp_uno_sim::{CYCLES_PER_MS, Program, Slot, Uno};
 
 /// Four contacts in series of these inputs, the output of their coil, and what that rung may take, cycles: 20 where all points
-/// are those of an UNO, else 30.
+/// are those of a UNO, else 30.
 pub const RUNGS: [([u8; 4], u8, u64); 8] = [
     ([1, 2, 3, 4], 1, 20),
     ([5, 6, 7, 8], 4, 20),

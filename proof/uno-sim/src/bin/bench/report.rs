@@ -126,7 +126,7 @@ fn of_mega(mega: Mega) -> String {
     let large = format!("whole scan: {} such rungs", mega::MANY);
     for (what, cycles, target) in [
         (
-            "rung of 4 contacts and a coil, points of an UNO, the dearest",
+            "rung of 4 contacts and a coil, points of a UNO, the dearest",
             near,
             20,
         ),

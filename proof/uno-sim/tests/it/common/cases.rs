@@ -38,7 +38,7 @@ pub fn every_scenario(folders: &[&str], of: Of) -> impl Iterator<Item = (PathBuf
     }))
 }
 
-/// Whether a scenario names the Mega as its board: its program asks for points that an UNO lacks.
+/// Whether a scenario names the Mega as its board: its program asks for points that a UNO lacks.
 pub fn is_of_mega(path: &Path) -> bool {
     let exercise = Exercise::load(path, Board::UNO);
     exercise.is_ok_and(|exercise| exercise.board == Board::MEGA)

@@ -22,7 +22,7 @@ pub fn firmware() -> Program {
     Program::read(&elf).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Where in the EEPROM of the board that stands which stands here on an UNO, after the program: there is more room for one.
+/// Where in the EEPROM of the board that stands which stands here on a UNO, after the program: there is more room for one.
 pub fn place(on_uno: u16) -> u16 {
     on_uno + crate::BOARD.stored_bytes - Board::UNO.stored_bytes
 }
