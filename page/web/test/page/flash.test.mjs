@@ -124,7 +124,7 @@ test("what goes wrong on the way is told with what to do, and the next try works
   const troubles = [
     [200, "to the board", () => null, /FW-24: .*check the cable and try again.*no firmware now/, /FW-24: .*tente de novo.*sem firmware/],
     [40, "to the page", (byte) => byte ^ 0x10, /FW-25: .*then try again/, /FW-25: .*tente de novo/],
-    [200, "to the board", () => (void cable.pull(), null), /FW-27: .*plug the board in again/, /FW-27: .*ligue a placa de novo/],
+    [200, "to the board", () => (void cable.pull(), null), /FW-27: .*plug the board in again/, /FW-27: .*reconecte a placa e tente de novo/],
   ];
   for (const [from, where, what, english, portuguese] of troubles) {
     for (const [speak, words, closed, done] of /** @type {const} */ ([
