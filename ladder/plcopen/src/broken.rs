@@ -37,16 +37,16 @@ pub(crate) fn reason(error: &Error) -> Word {
             "um `<` solto em um atributo, que em XML se escreve `&lt;`",
         ),
         Error::DuplicatedAttribute(name, _) => named(
-            "an element has twice the attribute",
-            "um elemento tem duas vezes o atributo",
+            "an element repeats the attribute",
+            "um elemento repete o atributo",
             name,
         ),
         Error::UnknownNamespace(prefix, _) => {
             named("an undeclared prefix", "um prefixo não declarado", prefix)
         }
         Error::DuplicatedNamespace(prefix, _) => named(
-            "an element declares twice the prefix",
-            "um elemento declara duas vezes o prefixo",
+            "an element redeclares the prefix",
+            "um elemento declara de novo o prefixo",
             prefix,
         ),
         Error::InvalidXmlPrefixUri(_)
