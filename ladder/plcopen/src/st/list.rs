@@ -52,9 +52,7 @@ pub(crate) fn statements(
     globals: &[Variable],
     found: &mut Found,
 ) -> Written {
-    let mut source = Text::default();
-    source.body(xml, body);
-    let text = lines::without_comments(&source.text);
+    let (source, text) = written(xml, body);
     let lines = lines(&text);
     let mut list = List::new(&source, &lines, (pou, role), globals, found);
     list.all();
@@ -73,9 +71,7 @@ pub(crate) fn expression(
     globals: &[Variable],
     found: &mut Found,
 ) -> Option<Vec<Piece>> {
-    let mut source = Text::default();
-    source.body(xml, body);
-    let text = lines::without_comments(&source.text);
+    let (source, text) = written(xml, body);
     let lines = lines(&text);
     let mut list = List::new(&source, &lines, (pou, role), globals, found);
     list.is_expression = true;
@@ -84,6 +80,14 @@ pub(crate) fn expression(
         Some(value) => Some(value.pieces.into()),
         None => list.refuse(span(body), ("an empty body", "um corpo vazio").into()),
     }
+}
+
+/// The text of a body, and the same without its comments.
+fn written(xml: &str, body: Node<'_, '_>) -> (Text, String) {
+    let mut source = Text::default();
+    source.body(xml, body);
+    let text = lines::without_comments(&source.text);
+    (source, text)
 }
 
 /// A body on its way.
