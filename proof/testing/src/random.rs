@@ -27,4 +27,11 @@ impl Random {
     pub fn percent(&mut self, cases: usize) -> bool {
         self.below(100) < cases
     }
+
+    /// Which of so many inputs turn over, as bits from 0 on: each in this many of a hundred cases.
+    pub fn turns(&mut self, inputs: usize, cases: usize) -> u128 {
+        (0..inputs).fold(0, |bits, input| {
+            bits | u128::from(self.percent(cases)) << input
+        })
+    }
 }

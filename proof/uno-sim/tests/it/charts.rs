@@ -63,11 +63,9 @@ fn compared(uno: &mut UnoEngine, seed: u64) -> Result<Option<u32>, String> {
         let mut now = random.below(1 << 31) as u32;
         let mut points = 0;
         for scan in 0..SCANS {
-            for input in 0..4 {
-                points ^= u8::from(random.percent(20)) << input;
-            }
+            points ^= random.turns(4, 20);
             let inputs = Inputs {
-                points: Image(points.into()),
+                points: Image(points),
                 ..Inputs::default()
             };
             naive.scan(

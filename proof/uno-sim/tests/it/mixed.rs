@@ -26,9 +26,7 @@ fn compared(uno: &mut UnoEngine, seed: u64) -> Option<()> {
             let mut now = random.below(1 << 31) as u32;
             let mut points = 0;
             for scan in 0..SCANS {
-                for input in 0..4 {
-                    points ^= u128::from(random.percent(25)) << input;
-                }
+                points ^= random.turns(4, 25);
                 let inputs = Inputs {
                     points: Image(points),
                     ..Inputs::default()

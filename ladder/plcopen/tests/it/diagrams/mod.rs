@@ -54,9 +54,7 @@ fn random_diagrams_do_what_openplc_makes_of_them() {
         let mut naive = Naive::new(&diagram);
         let (mut inputs, mut now, mut last) = (0_u128, 0_u32, 0);
         for scan in 0..SCANS {
-            for bit in 0..BITS {
-                inputs ^= u128::from(random.percent(25)) << bit;
-            }
+            inputs ^= random.turns(BITS, 25);
             now += random.below(25) as u32;
             let wanted = naive.scan(inputs, now.into());
             let image = Inputs {
