@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, choose, lamp, run, tab } from "./harness.mjs";
+import { Lab, choose, lamp, run } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -97,18 +97,6 @@ test("a file that is dropped on the page is opened", async () => {
   await page.dispatchEvent(".cm-content", "drop", { dataTransfer: data });
   await page.locator('.ladder .element[data-point="Q4"]').waitFor();
   assert.equal(await page.inputValue("#name"), "dropped.il");
-  await page.context().close();
-});
-
-test("a forced input shows its forced value in the timing, marked", async () => {
-  const page = await lab.open();
-  await run(page);
-  await tab(page, "watch");
-  await page.locator('tr[data-point="I1"] button', { hasText: /1$/ }).click();
-  await lamp(page, 1, true);
-  await tab(page, "trend");
-  await page.click("#trendBefore");
-  await page.locator("#trend-reading", { hasText: /start \(forced\) = 1/ }).waitFor();
   await page.context().close();
 });
 

@@ -3,10 +3,10 @@
 // @ts-check
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
 import { Lab, lamp, pick, run, tab, type } from "./harness.mjs";
+import { changesWith, saved } from "./timing.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @type {Lab} */
@@ -29,13 +29,6 @@ LD I2
 ST Q2
 ${Array.from({ length: 8 }, (_, marker) => `ST M${marker + 2}`).join("\n")}
 `;
-
-/** What a button of the diagram saves. @param {Page} page @param {string} name */
-async function saved(page, name) {
-  const download = page.waitForEvent("download");
-  await page.locator(".trend-tools button", { hasText: name }).click();
-  return readFileSync(await (await download).path(), "utf8");
-}
 
 test("channels that one sees at the board or knows by name are chosen first, and go by their names in the table", async () => {
   const page = await lab.open();
@@ -65,12 +58,13 @@ test("a forced input is what it is forced to, and is marked, in the diagram and 
     await lamp(page, 1, true);
     await tab(page, "trend");
     await page.locator(".trend canvas").waitFor();
+    await changesWith(page, [["go I1", "1"]]);
     await page.click("#trendBefore");
     await page.locator("#trend-reading", { hasText: `${mark} = 1` }).waitFor();
     assert.ok((await saved(page, "SVG")).includes(`>${mark}<`));
     await tab(page, "watch");
     await page.click("#release");
-    await lamp(page, 1, false);
+    await page.locator("#panel-watch tr.is-forced").waitFor({ state: "detached" });
     await tab(page, "trend");
     assert.ok(!(await saved(page, "SVG")).includes(mark));
     await page.context().close();

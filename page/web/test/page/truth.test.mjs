@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
 import { Lab, PATIENCE, been, choose, lamp, pick, pictures, run, state, still, tab, type } from "./harness.mjs";
+import { changesWith } from "./timing.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -39,27 +40,6 @@ async function shows(page, expected) {
     await page.evaluate(() => new Promise((wake) => requestAnimationFrame(wake)));
   }
   assert.equal(now, wanted);
-}
-
-/** The changes of the timing diagram: for each point its times and values. @param {Page} page */
-async function changes(page) {
-  const download = page.waitForEvent("download");
-  await page.locator(".trend-tools button", { hasText: "CSV" }).click();
-  const rows = readFileSync(await (await download).path(), "utf8").trim().split("\n").map((row) => row.split(","));
-  const [head = [], ...rest] = rows;
-  /** The first time at which a point is this. @param {string} point @param {string} value */
-  return (point, value) => Number(rest.find((row) => row[head.indexOf(point)] === value)?.[0] ?? Number.NaN);
-}
-
-/** The same, as soon as all of these are among them: a reading is noted with what follows it.
- * @param {Page} page @param {[point: string, value: string][]} all */
-async function changesWith(page, all) {
-  const until = Date.now() + PATIENCE;
-  for (;;) {
-    const first = await changes(page);
-    if (all.every(([point, value]) => !Number.isNaN(first(point, value)))) return first;
-    assert.ok(Date.now() < until, `not all of ${all.join(" ")} are in the timing diagram`);
-  }
 }
 
 test("a board that holds no program is not at fault", async () => {

@@ -7,6 +7,7 @@ import type { Looked } from "../document";
 import { h } from "../dom";
 import { liveOf } from "../forcing";
 import { pointsOf } from "../points";
+import { refill } from "../refill";
 import type { Around, ChartPane } from "../sfc/pane";
 import { type Drawn, Palette } from "./palette";
 import type { Altered } from "./pane";
@@ -101,7 +102,7 @@ export class Body {
       piece.classList.toggle("selected", piece.dataset["id"] === this.selected);
       piece.classList.toggle("wrong", of !== undefined && this.problems.some(({ from, severity }) => severity === "error" && from >= of.from && from < of.to));
     }
-    this.form.replaceChildren(...(element ? this.fields(element) : []));
+    refill(this.form, element ? this.fields(element) : []);
   }
 
   private fields(element: UnitElement): HTMLElement[] {

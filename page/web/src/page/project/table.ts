@@ -4,6 +4,7 @@ import type { Problem, ProjectRow } from "../../tools/answers";
 import { say } from "../../words/project";
 import { speak, told } from "../../words/words";
 import { h } from "../dom";
+import { refill } from "../refill";
 import type { Altered } from "./pane";
 
 /** How the standard calls a section. */
@@ -19,18 +20,18 @@ export class Table {
 
   constructor(private readonly alter: (altered: Altered) => void) {}
 
-  /** Shows these variables; what has the focus keeps it. */
+  /** Shows these variables; a field in which somebody writes stays as it is. */
   show(rows: readonly ProjectRow[], ofUnit: boolean, problems: readonly Problem[]): void {
     const wrong = (row: ProjectRow): Problem | undefined => problems.find(({ from }) => from >= row.from && from < row.to);
     const made = JSON.stringify([rows.map((row) => [{ ...row, from: 0, to: 0 }, wrong(row)?.message]), ofUnit, speak.value]);
     if (made === this.made) return;
+    const keeps = this.made !== "";
     this.made = made;
-    const focus = this.root.contains(document.activeElement) ? document.activeElement?.id : undefined;
     const head = [say("projectSection"), ...FIELDS.map(([, word]) => say(word)), say("projectRetained")];
-    this.root.replaceChildren(
+    refill(this.root, [
       h("table", { id: "project-table" }, h("thead", {}, h("tr", {}, ...head.map((word) => h("th", {}, word)), h("th", {}, h("span", { class: "hidden" }, say("projectRemove"))))), h("tbody", {}, ...rows.map((row, at) => this.row(row, at, wrong(row))))),
-      this.adder(ofUnit));
-    if (focus) document.getElementById(focus)?.focus();
+      this.adder(ofUnit),
+    ], keeps);
   }
 
   /** Its fields show what is so, the next time that it is shown. */

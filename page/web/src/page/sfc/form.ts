@@ -4,6 +4,7 @@ import type { Ask, ChartPart, Problem } from "../../tools/answers";
 import { say } from "../../words/chart";
 import { speak, told } from "../../words/words";
 import { h } from "../dom";
+import { isWritten, refill } from "../refill";
 
 /** What is done to a part. */
 export type Done = Pick<Ask<"chart">, "what" | "say" | "qualifier" | "time">;
@@ -32,13 +33,8 @@ export class Form {
     const made = JSON.stringify([id, kind, name, text, qualifier, time, priority, initial, steps, wrong, speak.value]);
     if (made === this.made) return;
     this.made = made;
-    const was = document.activeElement;
-    const isInside = was !== null && this.root.contains(was);
     const mistakes = wrong.map(({ severity, message, help }) => h("p", { class: severity }, told(message), h("small", {}, told(help))));
-    this.root.replaceChildren(...this.fields(part, steps), ...mistakes);
-    const now = isInside ? this.root.querySelector<HTMLElement>(`#${was.id}`) : null;
-    if (isWritten(was) && isWritten(now) && was.value !== was.defaultValue) now.value = was.value;
-    now?.focus();
+    refill(this.root, [...this.fields(part, steps), ...mistakes]);
   }
 
   /** The focus goes to its first field. */
@@ -101,9 +97,4 @@ export class Form {
     });
     return h("label", {}, say(word), list);
   }
-}
-
-/** Whether one writes in it. */
-function isWritten(field: Element | null): field is HTMLInputElement | HTMLTextAreaElement {
-  return field instanceof HTMLInputElement || field instanceof HTMLTextAreaElement;
 }
