@@ -133,15 +133,16 @@ fn the_sample_programs_come_back() {
 
 #[test]
 fn random_programs_come_back() {
-    let mut random = Random::new(1);
     let (mut drawn, mut as_blocks) = (0, 0);
     let rounds = unoclp_testing::rounds(1_000);
-    for _ in 0..rounds {
-        let file = random_program(&mut random);
-        let document = document(file.as_bytes()).unwrap();
-        drawn += u32::from(comes_back(&document));
-        let own = comes_back_as_blocks(&document);
-        as_blocks += u32::from(own);
+    for seed in 0..rounds {
+        let [ladder, blocks] = unoclp_testing::held(|| {
+            let file = random_program(&mut Random::new(seed.into()));
+            let document = document(file.as_bytes()).unwrap();
+            [comes_back(&document), comes_back_as_blocks(&document)]
+        });
+        drawn += u32::from(ladder);
+        as_blocks += u32::from(blocks);
     }
     println!("all of {rounds} come back, {drawn} as a ladder, {as_blocks} as a block diagram");
     // A rung without an output has no place in a block diagram.

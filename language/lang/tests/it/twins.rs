@@ -4,6 +4,7 @@ use crate::common::{LARGE, Random, large, plc, program};
 use std::fs;
 use std::path::Path;
 use unoclp_core::Image;
+use unoclp_testing::held;
 
 #[test]
 fn twins_behave_alike() {
@@ -23,20 +24,22 @@ fn twins_behave_alike() {
         // Of the traffic light Q4 is spare: it is where the timers of the one by hand put their Q.
         let outputs = if name == "traffic" { 0b0111 } else { 0b1111 };
         for seed in 0..20 {
-            let (mut first, mut second) = (vec![0; 2000], vec![0; 2000]);
-            let mut by_hand = plc(&by_hand, &mut first, LARGE);
-            let mut compiled = plc(&compiled, &mut second, LARGE);
-            let mut random = Random(seed);
-            let (mut now, mut inputs) = (0, 0);
-            for _ in 0..3000 {
-                let expected = by_hand.scan(Image(inputs), now).unwrap().0 & outputs;
-                let came = compiled.scan(Image(inputs), now).unwrap().0 & outputs;
-                assert_eq!(came, expected, "{name:?}, seed {seed}, {now} ms");
-                now += random.pick(&[1, 5, 50, 500, 2000]);
-                if random.percent(40) {
-                    inputs ^= 1 << random.below(4);
+            held(|| {
+                let (mut first, mut second) = (vec![0; 2000], vec![0; 2000]);
+                let mut by_hand = plc(&by_hand, &mut first, LARGE);
+                let mut compiled = plc(&compiled, &mut second, LARGE);
+                let mut random = Random(seed);
+                let (mut now, mut inputs) = (0, 0);
+                for _ in 0..3000 {
+                    let expected = by_hand.scan(Image(inputs), now).unwrap().0 & outputs;
+                    let came = compiled.scan(Image(inputs), now).unwrap().0 & outputs;
+                    assert_eq!(came, expected, "{name:?}, seed {seed}, {now} ms");
+                    now += random.pick(&[1, 5, 50, 500, 2000]);
+                    if random.percent(40) {
+                        inputs ^= 1 << random.below(4);
+                    }
                 }
-            }
+            });
         }
     }
     assert!(count >= 11, "{count}");

@@ -15,7 +15,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 export const pictures = join(here, "../../../../target/lab/pictures");
 
 /** How long a state is waited for: a machine that tests much else is slow. */
-export const PATIENCE = Number(process.env["PATIENCE"] ?? 120_000);
+export const PATIENCE = 120_000;
 
 function browserPath() {
   const names = [process.env["CHROMIUM"], "/usr/bin/chromium-headless-shell", "/usr/bin/chromium", "/usr/bin/google-chrome"];
