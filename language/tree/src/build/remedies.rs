@@ -190,7 +190,6 @@ impl Builder<'_, '_> {
             (_, Base::Bool) => self.converting(format!("BOOL_TO_{p}"), &second),
             (Base::Bool, _) => self.converting(format!("BOOL_TO_{q}"), &first),
             _ if q.is_real() => self.converting(format!("{p}_TO_{q}"), &first),
-            _ if b.base.is_any() && p.is_int() => self.converting(format!("{q}_TO_{p}"), &second),
             (Base::Time, _) if b.base.is_any() => format!("T#{second}ms"),
             _ => self.converting(format!("{q}_TO_{p}"), &second),
         };

@@ -143,6 +143,23 @@ fn what_hardly_changes_comes_in_turn() {
     assert_eq!((all.forced_inputs.points, all.forcing_ends), (1, Some(30)));
 }
 
+/// Of a program without timers and counters two parts have a turn: what is forced, and the diagnostics.
+#[test]
+fn what_is_read_in_each_round_has_no_turn() {
+    let mut wire = line(Board::default());
+    let mut live = Live::default();
+    let mut read = |wire: &mut Wire, count| {
+        wire.talk(async |client| rounds(client, &mut live, count, (Scope::default(), ALL)).await)
+            .unwrap()
+    };
+    read(&mut wire, 1);
+    let stack = input::FREE_STACK;
+    let place = (stack.table as u16, stack.first);
+    wire.board.words.insert(place, 99);
+    assert_eq!(read(&mut wire, 3).diagnostics.free_stack, 0);
+    assert_eq!(read(&mut wire, 1).diagnostics.free_stack, 99);
+}
+
 #[test]
 fn what_was_just_forced_is_known_in_the_next_round() {
     let mut wire = line(Board::default());

@@ -13,8 +13,11 @@ use unoclp_testing::{Random, held, rounds};
 
 /// A seal-in circuit with a timer, a rung that ends in an IF, an empty path, and an empty rung.
 fn document() -> Document {
-    let codes =
-        "0 827301 40 827901 41 -827302 847978 500 7901 7370 827303 40 41 877902 697868 787600";
+    of_codes("0 827301 40 827901 41 -827302 847978 500 7901 7370 827303 40 41 877902 697868 787600")
+}
+
+/// The document that a program's codes say.
+pub fn of_codes(codes: &str) -> Document {
     let mut memory = vec![0; 2_000];
     let mut loader = Loader::new(&mut memory, Board::UNO);
     let text = codes.replace(' ', "\n");

@@ -1,8 +1,9 @@
 //! What operations make of a document: the cases of `cases.txt`.
 //!
 //! A case is a heading, `# …`; the operations, each on a line that begins with `>`; the codes that they come to; and the
-//! picture. It begins with an empty rung.
+//! picture. It begins with an empty rung, or with the codes after `> codes`.
 
+use super::canvas::of_codes;
 use std::fmt::Write;
 use unoclp_core::isa::{Opcode, REGISTER_OPERAND};
 use unoclp_core::{Board, Target};
@@ -52,6 +53,11 @@ fn carry_out(case: &str) -> String {
     for line in case.lines().filter(|line| line.starts_with('>')) {
         let operation = line[1..].split('!').next().unwrap().trim();
         write!(told, "> {operation}").unwrap();
+        if let Some(codes) = operation.strip_prefix("codes ") {
+            editor = Editor::new(of_codes(codes));
+            told.push('\n');
+            continue;
+        }
         match operation {
             "undo" => editor.undo(),
             "redo" => editor.redo(),
