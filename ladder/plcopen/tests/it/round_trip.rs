@@ -153,7 +153,7 @@ fn random_programs_come_back() {
 
 #[test]
 fn a_timer_that_is_called_again_comes_back() {
-    // A list holds the second call; a second block of one instance would be called with its own PT.
+    // A list holds the second call.
     for (first, target) in [(1000, 7901), (1000, 7701), (0, 7701)] {
         for second in [1000, 2000] {
             let file = format!(
@@ -161,6 +161,9 @@ fn a_timer_that_is_called_again_comes_back() {
             );
             let document = document(file.as_bytes()).unwrap();
             assert!(!comes_back(&document) && !comes_back_as_blocks(&document));
+            let lost = export(&document, "test", Board::UNO).unwrap().beyond;
+            let lost: Vec<(usize, &str)> = lost.iter().map(|l| (l.rung, &*l.what)).collect();
+            assert_eq!(lost, [(2, "TON, 8401")]);
         }
     }
 }
