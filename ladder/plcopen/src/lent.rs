@@ -1,7 +1,6 @@
 //! Types that a library of an editor lends to a project, whose file does not hold them.
 
 use crate::found::span;
-use crate::project::Variable;
 use crate::xml::within;
 use roxmltree::Node;
 use std::collections::HashSet;
@@ -47,12 +46,8 @@ pub(crate) fn lent(root: Node<'_, '_>) -> Vec<Lent> {
     .collect()
 }
 
-/// Gives variables of such a type what it is.
-pub(crate) fn resolve<'v>(variables: impl Iterator<Item = &'v mut Variable>, lent: &[Lent]) {
-    for variable in variables {
-        let mut all = lent.iter();
-        if let Some(own) = all.find(|own| own.name.eq_ignore_ascii_case(&variable.kind)) {
-            variable.kind = own.kind.to_owned();
-        }
-    }
+/// What a type of this name is, where it is lent.
+pub(crate) fn stands_for(name: &str, lent: &[Lent]) -> Option<&'static str> {
+    let own = lent.iter().find(|own| own.name.eq_ignore_ascii_case(name));
+    own.map(|own| own.kind)
 }

@@ -77,7 +77,11 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
         };
         let pous = project.programs.iter_mut().chain(&mut project.others);
         let variables = pous.flat_map(|pou| &mut pou.variables);
-        lent::resolve(variables.chain(&mut project.globals), &project.lent);
+        for variable in variables.chain(&mut project.globals) {
+            if let Some(kind) = lent::stands_for(&variable.kind, &project.lent) {
+                variable.kind = kind.to_owned();
+            }
+        }
         project.order(root, found);
         project.shared(found);
         if project.programs.is_empty() && project.others.is_empty() {

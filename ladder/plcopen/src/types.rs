@@ -3,7 +3,7 @@
 //! The elements of a file lie at most as deep as `bounds` lets them, and so does what is spelled here.
 
 use crate::found::span;
-use crate::lent::Lent;
+use crate::lent::{Lent, stands_for};
 use crate::text::Text;
 use crate::xml::{all, first, text};
 use roxmltree::Node;
@@ -152,8 +152,8 @@ impl<'a, 'x: 'a> Types<'a, 'x> {
     /// What a type is made of, where the project makes it.
     pub(crate) fn base(&self, name: &str) -> Option<String> {
         let name = name.to_uppercase();
-        if let Some(lent) = self.lent.iter().find(|lent| lent.name == name) {
-            return Some(lent.kind.to_owned());
+        if let Some(kind) = stands_for(&name, &self.lent) {
+            return Some(kind.to_owned());
         }
         let node = self.by_name.get(&name)?;
         first(*node, "baseType").map(kind)
