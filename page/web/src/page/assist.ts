@@ -106,7 +106,7 @@ export function assist(around: Around, root: HTMLElement): Extension {
   root.querySelector(".grow")?.before(bar);
 
   return [
-    autocompletion({ override: [(context) => complete(around, context)], selectOnOpen: false, maxRenderedOptions: 60 }),
+    autocompletion({ override: [(context) => complete(around, context)], selectOnOpen: false, interactionDelay: 0, maxRenderedOptions: 60 }),
     hoverTooltip(async (view, pos) => tooltip(around, await around.tools.ask("meant", { ...of(view), at: pos, speak: speak.value }).catch(() => null))),
     keymap.of(commands.slice(1).map(([, , key, act]) => ({ key, preventDefault: true, run: (view) => (act(view), true) }))),
     EditorView.updateListener.of(({ view }) => (writing = view)),

@@ -152,7 +152,7 @@ export class ProgramView {
     showProblems(this.problems, checked, lacks, {
       text: (line, column) => this.editor.go(line, column),
       drawing: () => this.goDraw(),
-      adapt: () => void this.adapt(text),
+      adapt: () => void this.adapt(this.program.text.value),
     });
     this.count.textContent = countOf(checked, lacks);
     this.count.classList.toggle("bad", lacks > 0 || (checked.program === null && !checked.blank));

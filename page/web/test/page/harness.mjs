@@ -15,7 +15,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 export const pictures = join(here, "../../../../target/lab/pictures");
 
 /** How long a state is waited for: a machine that tests much else is slow. */
-export const PATIENCE = 120_000;
+export const PATIENCE = Number(process.env["PATIENCE"] ?? 120_000);
 
 function browserPath() {
   const names = [process.env["CHROMIUM"], "/usr/bin/chromium-headless-shell", "/usr/bin/chromium", "/usr/bin/google-chrome"];
@@ -64,6 +64,28 @@ export function launch(words = []) {
   return chromium.launch({ executablePath: browserPath(), args: [...words, ...(root ? ["--no-sandbox"] : [])] });
 }
 
+/** How late an answer of Rust comes at most, ms: a test that does not wait for what it names fails then. */
+const LATE = Number(process.env["LATE"] ?? 0);
+
+/** Has the answers of the worker with the tools come late, each by another time, in their order. @param {number} most ms */
+function late(most) {
+  const { setTimeout } = window;
+  window.Worker = class extends Worker {
+    /** @param {string | URL} script @param {WorkerOptions} [options] */
+    constructor(script, options) {
+      super(script, options);
+      if (!String(script).includes("tools")) return;
+      let last = 0;
+      /** @param {string} kind @param {any} hear */
+      this.addEventListener = (kind, hear) => super.addEventListener(kind, (event) => {
+        const now = performance.now();
+        last = Math.max(last, now + Math.random() * most);
+        setTimeout(() => hear(event), last - now);
+      });
+    }
+  };
+}
+
 /** A browser, the page's server, and pages that fail their test where the page throws. */
 export class Lab {
   /** @param {import("playwright-core").Browser} browser @param {Awaited<ReturnType<typeof serve>>} server */
@@ -92,6 +114,7 @@ export class Lab {
     // Without a network nobody is here, and to keep the page for that takes half a second.
     const usual = /** @type {const} */ ({ viewport: { width: 1440, height: 900 }, locale: "en-US", serviceWorkers: "block" });
     const context = await this.browser.newContext({ ...usual, storageState: been(address, kept), ...options });
+    if (LATE > 0) await context.addInitScript(late, LATE);
     const page = await context.newPage();
     page.setDefaultTimeout(PATIENCE);
     page.on("pageerror", (error) => this.errors.push(String(error.stack)));

@@ -25,14 +25,14 @@ async function begun(options) {
   await choose(page, "five.xml", FIVE);
   await page.click("#view-draw");
   await page.locator("#project-pane").waitFor();
-  await page.locator('#project-tree [data-unit="main"][aria-current="true"]').waitFor();
+  await page.locator('#project-body[data-unit="main"]').waitFor();
   return page;
 }
 
 /** Opens a unit. @param {Page} page @param {string} unit */
 async function open(page, unit) {
   await page.click(`#project-tree [data-unit="${unit}"]`);
-  await page.locator(`#project-tree [data-unit="${unit}"][aria-current="true"]`).waitFor();
+  await page.locator(`#project-body[data-unit="${unit}"]`).waitFor();
 }
 
 /** The field of a variable. @param {Page} page @param {string} variable @param {string} field */

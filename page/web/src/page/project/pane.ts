@@ -82,6 +82,7 @@ export class ProjectPane {
     if (project && !this.unit && this.open !== "") this.open = (project.units.find(({ kind }) => kind === "program") ?? project.units[0])?.name ?? "";
     this.build();
     await this.body.show(this.unit ?? null, this.looked, this.problems, project?.units ?? []);
+    this.body.root.dataset["unit"] = this.open ?? "";
   }
 
   private get unit(): ProjectUnit | undefined {
