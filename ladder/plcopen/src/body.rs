@@ -64,7 +64,7 @@ fn write(
     found: &mut Found,
 ) -> (Text, TextLanguage) {
     let mut written = Text::default();
-    let types = Types::of(&project.types);
+    let types = Types::of(&project.types, &project.lent);
     types.write(&mut written);
     if !project.globals.is_empty() {
         section(&mut written, "VAR_GLOBAL", project.globals.iter(), found);

@@ -18,7 +18,7 @@
 //! - `whole`: all of it as one text, for who looks for a name
 //! - `adapt`: points that another PLC has, on this board; `comments`: texts without them
 //! - `body`: projects as a text, which `unoclp-lang` compiles; `text`: where its pieces are in the file; `types`: types
-//!   as it spells them; `repeated`: heads that bodies in ST say again; `st`: ladder bodies as statements, where no document holds them; `sfc`: charts
+//!   as it spells them; `lent`: those that a library lends; `repeated`: heads that bodies in ST say again; `st`: ladder bodies as statements, where no document holds them; `sfc`: charts
 //!
 //! The way out ([`export()`]): `export`.
 //!
@@ -49,6 +49,7 @@ mod found;
 mod grown;
 mod imported;
 mod instances;
+mod lent;
 mod network;
 mod numbered;
 mod outline;

@@ -1,7 +1,8 @@
 //! A project: its programs with their variables, in the order in which they run.
 
 use crate::found::{Found, span};
-use crate::types::{initial, kind};
+use crate::lent::{self, Lent};
+use crate::types::{begins, kind};
 use crate::xml::{all, first, says, within};
 use roxmltree::Node;
 use std::collections::{HashMap, HashSet};
@@ -19,6 +20,8 @@ pub(crate) struct Project<'a, 'x> {
     pub lists: HashMap<String, HashSet<String>>,
     /// The types that the project makes.
     pub types: Vec<Node<'a, 'x>>,
+    /// Those that a library of the editor lends it.
+    pub lent: Vec<Lent>,
 }
 
 /// A program, a function or a function block.
@@ -70,7 +73,15 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
             globals: globals(root),
             lists: lists(root),
             types: within(root, "dataType").collect(),
+            lent: lent::lent(root),
         };
+        let pous = project.programs.iter_mut().chain(&mut project.others);
+        let variables = pous.flat_map(|pou| &mut pou.variables);
+        for variable in variables.chain(&mut project.globals) {
+            if let Some(kind) = lent::stands_for(&variable.kind, &project.lent) {
+                variable.kind = kind.to_owned();
+            }
+        }
         project.order(root, found);
         project.shared(found);
         if project.programs.is_empty() && project.others.is_empty() {
@@ -219,7 +230,7 @@ pub(crate) fn declared<'a, 'x: 'a>(
             section: section.tag_name().name().to_owned(),
             address: node.attribute("address").map(str::to_owned),
             kind: first(node, "type").map_or(String::new(), kind),
-            initial: first(node, "initialValue").and_then(initial),
+            initial: begins(node),
             retain: says(section, "retain"),
             constant: says(section, "constant"),
             at: span(node),

@@ -3,10 +3,12 @@
 //! The elements of a file lie at most as deep as `bounds` lets them, and so does what is spelled here.
 
 use crate::found::span;
+use crate::lent::{Lent, stands_for};
 use crate::text::Text;
 use crate::xml::{all, first, text};
 use roxmltree::Node;
 use std::collections::HashMap;
+use unoclp_lang::Span;
 
 /// What the type within this element is called: in capitals where the standard has it.
 pub(crate) fn kind(of: Node<'_, '_>) -> String {
@@ -69,12 +71,21 @@ fn value_of_enumeration(of: Node<'_, '_>) -> String {
 
 /// ` := 5`, where a variable or a type begins with something.
 fn first_value(of: Node<'_, '_>) -> String {
-    let value = first(of, "initialValue").and_then(initial);
-    value.map_or(String::new(), |value| format!(" := {value}"))
+    begins(of).map_or(String::new(), |value| format!(" := {value}"))
 }
 
-/// The first value of a variable, as the text of a language has it.
-pub(crate) fn initial(of: Node<'_, '_>) -> Option<String> {
+/// What a variable or a type begins with, as the text of a language has it. A file may leave out the quotes of a STRING.
+pub(crate) fn begins(of: Node<'_, '_>) -> Option<String> {
+    let value = first(of, "initialValue").and_then(initial)?;
+    let kind = first(of, "type").or(first(of, "baseType"));
+    let kind = kind.and_then(|of| of.first_element_child());
+    let is_string = kind.is_some_and(|of| of.tag_name().name().eq_ignore_ascii_case("string"));
+    let is_bare = is_string && !value.starts_with('\'') && !value.ends_with('\'');
+    Some(if is_bare { format!("'{value}'") } else { value })
+}
+
+/// A first value, as the text of a language has it.
+fn initial(of: Node<'_, '_>) -> Option<String> {
     let value = of.children().find(Node::is_element)?;
     match value.tag_name().name() {
         "simpleValue" => value.attribute("value").map(str::to_owned),
@@ -104,35 +115,47 @@ pub(crate) struct Types<'a, 'x> {
     /// Each by its name in capitals.
     by_name: HashMap<String, Node<'a, 'x>>,
     all: Vec<Node<'a, 'x>>,
+    lent: Vec<Lent>,
 }
 
 impl<'a, 'x: 'a> Types<'a, 'x> {
-    pub(crate) fn of(all: &[Node<'a, 'x>]) -> Types<'a, 'x> {
+    pub(crate) fn of(all: &[Node<'a, 'x>], lent: &[Lent]) -> Types<'a, 'x> {
         let name = |node: &Node<'_, '_>| node.attribute("name").unwrap_or_default().to_uppercase();
         Types {
             by_name: all.iter().map(|node| (name(node), *node)).collect(),
             all: all.to_vec(),
+            lent: lent.to_vec(),
         }
     }
 
     /// Writes them down.
     pub(crate) fn write(&self, to: &mut Text) {
-        let (Some(one), Some(last)) = (self.all.first(), self.all.last()) else {
-            return;
-        };
-        to.piece("TYPE\n", span(*one));
-        for node in &self.all {
+        let own = self.all.iter().map(|node| {
             let name = node.attribute("name").unwrap_or_default();
             let kind = first(*node, "baseType").map_or(String::new(), kind);
             let line = format!("  {name} : {kind}{};\n", first_value(*node));
-            to.piece(&line, span(*node));
+            (line, span(*node))
+        });
+        let lent = self.lent.iter();
+        let lent = lent.map(|own| (format!("  {} : {};\n", own.name, own.kind), own.at));
+        let lines: Vec<(String, Span)> = lent.chain(own).collect();
+        let (Some((_, one)), Some((_, last))) = (lines.first(), lines.last()) else {
+            return;
+        };
+        to.piece("TYPE\n", *one);
+        for (line, at) in &lines {
+            to.piece(line, *at);
         }
-        to.piece("END_TYPE\n", span(*last));
+        to.piece("END_TYPE\n", *last);
     }
 
     /// What a type is made of, where the project makes it.
     pub(crate) fn base(&self, name: &str) -> Option<String> {
-        let node = self.by_name.get(&name.to_uppercase())?;
+        let name = name.to_uppercase();
+        if let Some(kind) = stands_for(&name, &self.lent) {
+            return Some(kind.to_owned());
+        }
+        let node = self.by_name.get(&name)?;
         first(*node, "baseType").map(kind)
     }
 

@@ -5,7 +5,6 @@ use super::lost::Lost;
 use super::names::Variables;
 use super::xml::{At, Body, Source};
 use std::collections::HashMap;
-use unoclp_core::Target;
 use unoclp_core::isa::{Class, Opcode};
 use unoclp_draw::edit::{Begin, Block, Document, Gate, Id, Node, Rung, visit};
 use unoclp_point::Address;
@@ -56,16 +55,10 @@ impl Draw {
             visit(&rung.series, &mut |node| {
                 let Node::Element(element) = node else { return };
                 let opcode = element.step.opcode();
-                if opcode.class() == Class::Timer {
+                if opcode.class() == Class::Timer && element.step.is_own_timer() {
                     let own = kinds.len() as u8 + 1;
-                    let number = match element.step.target() {
-                        Some(Target::Timer(called)) => called,
-                        _ => own,
-                    };
-                    timers.insert(element.id, number);
-                    if number == own {
-                        kinds.insert(own, timer(opcode).unwrap_or("TON"));
-                    }
+                    timers.insert(element.id, own);
+                    kinds.insert(own, timer(opcode).unwrap_or("TON"));
                 }
             });
         }

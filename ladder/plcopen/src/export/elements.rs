@@ -2,6 +2,7 @@
 
 use super::counters::input;
 use super::draw::{COLUMN, Draw, Wire, timer};
+use unoclp_core::Target;
 use unoclp_core::isa::{Class, Kind, Opcode};
 use unoclp_draw::edit::{Element, Step};
 use unoclp_point::Address;
@@ -150,6 +151,13 @@ impl Draw {
 
     fn timer(&mut self, element: &Element, wire: &mut Wire) {
         let opcode = element.step.opcode();
+        if let Some(Target::Timer(called)) = element.step.target() {
+            // Two blocks of one instance are read as Structured Text, which has other codes.
+            return self.lose(
+                element.id,
+                format!("{}, 84{called:02}", opcode.row().letters),
+            );
+        }
         let (Some(kind), Some(&number)) = (timer(opcode), self.timers.get(&element.id)) else {
             return self.lose(element.id, opcode.row().letters);
         };
@@ -165,9 +173,7 @@ impl Draw {
             .block(kind, Some(&instance), &inputs, &["Q", "ET"], wire.at);
         wire.from = vec![(id, "Q")];
         wire.at.x += COLUMN;
-        if element.step.is_own_timer() {
-            self.driven(" negated=\"false\"", target.into(), wire);
-        }
+        self.driven(" negated=\"false\"", target.into(), wire);
     }
 }
 

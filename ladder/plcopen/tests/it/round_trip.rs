@@ -153,6 +153,23 @@ fn random_programs_come_back() {
 }
 
 #[test]
+fn a_timer_that_is_called_again_comes_back() {
+    // A list holds the second call.
+    for (first, target) in [(1000, 7901), (1000, 7701), (0, 7701)] {
+        for second in [1000, 2000] {
+            let file = format!(
+                "0\n827301\n847978\n{first}\n{target}\n787600\n827302\n847978\n{second}\n8401\n787600\n828401\n877902\n"
+            );
+            let document = document(file.as_bytes()).unwrap();
+            assert!(!comes_back(&document) && !comes_back_as_blocks(&document));
+            let lost = export(&document, "test", Board::UNO).unwrap().beyond;
+            let lost: Vec<(usize, &str)> = lost.iter().map(|l| (l.rung, &*l.what)).collect();
+            assert_eq!(lost, [(2, "TON, 8401")]);
+        }
+    }
+}
+
+#[test]
 fn a_counter_of_several_rungs_is_one_block() {
     let rungs = [
         "827301\n67848501\n5",

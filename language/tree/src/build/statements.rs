@@ -87,11 +87,17 @@ impl Builder<'_, '_> {
         })
     }
 
-    /// The condition of IF, WHILE and REPEAT.
+    /// The condition of IF, WHILE, REPEAT and of a transition. The numbers 0 and 1 are literals of BOOL (2.2.1).
     pub fn condition(&mut self, expr: Expr) -> Expr {
         let wrong = matches!(expr.kind, ExprKind::Wrong);
         if wrong || expr.base == Base::Bool && !self.is_enum(expr.ty) {
             return expr;
+        }
+        if expr.base == Base::AnyInt
+            && let ExprKind::Constant(value) = &expr.kind
+            && (0..=1).contains(&value.int())
+        {
+            return self.coerce(expr, TypeId::BOOL);
         }
         let (written, is) = (self.written(expr.at), self.type_of(&expr));
         let compared = match expr.base {
