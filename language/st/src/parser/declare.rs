@@ -152,7 +152,25 @@ impl Parser<'_, '_> {
             return Err(self.missing(what, help));
         }
         self.next();
+        if self.is(Kind::Star) {
+            let star = self.next().span;
+            self.open_place(token.span.to(star));
+            return Ok(None);
+        }
         Ok(Some(self.named(token.span)))
+    }
+
+    /// `%M*`: any place among the markers or registers serves; an input or output has a wire, so its place must be told.
+    fn open_place(&mut self, at: Span) {
+        let written = self.slice(at).to_uppercase();
+        if written.starts_with("%M") {
+            return;
+        }
+        let help = (
+            "it leaves the place open; write a point of the board, such as %IX0.0 or %QX0.0",
+            "isso deixa o lugar em aberto; escreva um ponto da placa, como %IX0.0 ou %QX0.0",
+        );
+        self.tell(Code::StUnsupported, at, [written.into(), help.into()]);
     }
 
     pub(in super::super) fn declaration(&mut self) -> Parsed<Decl> {

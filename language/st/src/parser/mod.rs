@@ -130,18 +130,8 @@ impl<'t, 'f> Parser<'t, 'f> {
             }
             _ => Keyword::None,
         };
-        let keywords = tokens.iter().map(keyword).collect();
-        let declares_en = tokens.windows(3).any(|three| {
-            let written = |token: &Token| text.get(token.span.range()).unwrap_or_default();
-            let is = |token: &Token, what: &str| written(token).eq_ignore_ascii_case(what);
-            let [before, name, next] = three else {
-                return false;
-            };
-            matches!(name.span.end - name.span.start, 2 | 3)
-                && (is(name, "EN") || is(name, "ENO"))
-                && before.kind != Kind::Dot
-                && (matches!(next.kind, Kind::Colon | Kind::Comma) || is(next, "AT"))
-        });
+        let keywords: Vec<Keyword> = tokens.iter().map(keyword).collect();
+        let declares_en = enable::declares_en(text, &tokens, &keywords);
         // A comment, or code for another machine, that swallows the rest is the one mistake.
         let open = [Code::StCommentOpen, Code::StNotClosed];
         let dead = open.into_iter().any(|code| found.place_of(code).is_some());
