@@ -20,18 +20,19 @@ const TIMES: usize = 7;
 const HEAD: &str = "\
 # Benchmarks of the editor
 
-How long an editor waits for what it asks. This page is written by a program: do not edit it, repeat it.
+How long an editor waits for an answer. This page is written by a program: do not edit it; run the
+benchmark again.
 
 ```
 cargo xtask bench
 ```
 
-measures it, as `cargo run --release` builds it. The text has 2,000 lines of Structured Text in function blocks. The project
-has 20 programs in Ladder Diagram, Function Block Diagram, Sequential Function Chart and Structured Text, which share a
-variable and a block. A rename takes in that both projects are compiled to the same codes. The time is the shortest of
-seven, on the machine at hand.
+This command measures a release build. The text has 2,000 lines of Structured Text in function blocks. The project has 20
+programs in Ladder Diagram, Function Block Diagram, Sequential Function Chart and Structured Text, which share a variable and
+a block. The time of a rename includes compiling the project before and after it, to check that the codes are the same. The
+time is the shortest of seven, on the machine that runs the benchmark.
 
-| what is asked | time | target |
+| request | time | target |
 | :--- | ---: | ---: |
 ";
 

@@ -67,8 +67,8 @@ unoclp_words::messages! {
     unknown_fault() "unknown to this version of unoclp" "desconhecida por esta versão do unoclp";
     not_stopped(failure) "could not stop the board: {failure}" "não foi possível parar a placa: {failure}";
     stop_locked()
-        "commands are locked, so only A5 can stop the board: close it, then try again"
-        "os comandos estão bloqueados, e só A5 para a placa: feche A5 e tente de novo";
+        "commands are locked, so only the STOP pin A5 can stop the board: connect A5 to ground, then try again"
+        "os comandos estão bloqueados; só o pino STOP (A5) pode parar a placa: ligue A5 ao GND e tente de novo";
     upload_not_begun()
         "the board did not start the upload; is another client keeping it in RUN?"
         "a placa não começou o envio; outro cliente a mantém em RUN?";

@@ -53,7 +53,7 @@ unoclp_words::messages! {
         "{point} usa o mesmo pino que {other}, que está em uso; escolha outra entrada";
     both_ways(point)
         "{point} is used both with and without PWM; keep one of the two"
-        "{point} é usada com PWM e sem; deixe só uma das formas";
+        "{point} é usada com e sem PWM; deixe só um dos usos";
     cycle(way)
         "these parts depend on each other in a loop: {way}; remove one of the names"
         "há uma dependência circular entre estes elementos: {way}; tire um dos nomes";

@@ -29,8 +29,12 @@ const fn portuguese(opcode: Opcode) -> &'static str {
         Opcode::FallingEdge => "acc := 1 se acc desceu desde a varredura anterior",
         Opcode::OpenAnd => "abre um bloco AND: empilha acc; acc := 1",
         Opcode::OpenXor => "abre um bloco XOR: empilha acc; acc := 1",
-        Opcode::Return => "retorno: se acc = 1, o programa termina nesta varredura",
-        Opcode::ReturnNot => "retorno: se acc = 0, o programa termina nesta varredura",
+        Opcode::Return => {
+            "retorno: se acc = 1, o resto do programa não é executado nesta varredura"
+        }
+        Opcode::ReturnNot => {
+            "retorno: se acc = 0, o resto do programa não é executado nesta varredura"
+        }
         Opcode::Negate => "valor := -valor",
         Opcode::SquareRoot => {
             "valor := raiz quadrada inteira do valor; de um negativo, 0, e S 04 := 1"
@@ -127,15 +131,17 @@ const fn portuguese(opcode: Opcode) -> &'static str {
             "sequenciador: se acc = 1, saídas 01-04 := o passo que o registrador XX indica"
         }
         Opcode::Scale => "escala linear: valor := valor, de uma faixa para outra",
-        Opcode::Filter => "filtro de primeira ordem: valor := valor, suavizado com a força XX",
+        Opcode::Filter => "filtro de primeira ordem: valor := valor, suavizado com intensidade XX",
         Opcode::Integrate => "integração: se acc = 1, registrador XX + valor por segundo",
         Opcode::InputFilter => "filtro de entrada: uma entrada deve manter o nível por XX ms",
         Opcode::Label => "rótulo XX, no início de um degrau",
         Opcode::Jump => "desvio: se acc = 1, continua no rótulo XX",
         Opcode::JumpNot => "desvio: se acc = 0, continua no rótulo XX",
-        Opcode::KeepRegister => "o registrador XX se mantém em STOP e em uma queda de energia",
+        Opcode::KeepRegister => {
+            "o registrador XX mantém o seu valor em STOP e durante uma queda de energia"
+        }
         Opcode::KeepCounter => {
-            "o número do contador XX se mantém em STOP e em uma queda de energia"
+            "o contador XX mantém a sua contagem em STOP e durante uma queda de energia"
         }
         Opcode::Push => {
             "empilha o valor; uma operação com o número 99 o toma como seu operando esquerdo"
@@ -151,16 +157,16 @@ const fn portuguese(opcode: Opcode) -> &'static str {
         Opcode::RealFromSigned => "valor := valor, um inteiro com sinal, como REAL",
         Opcode::RealFromUnsigned => "valor := valor, um inteiro sem sinal, como REAL",
         Opcode::RealRound => {
-            "valor := valor, um REAL, como o inteiro mais próximo, metades para o par; além de 32 bits: 0, e S 04 := 1"
+            "valor := valor, um REAL, como o inteiro mais próximo, empates para o par; além de 32 bits: 0, e S 04 := 1"
         }
         Opcode::RealCut => "valor := valor, um REAL, sem a fração; além de 32 bits: 0, e S 04 := 1",
         Opcode::RealNegate => "REAL: valor := -valor",
         Opcode::RealAbsolute => "REAL: valor := valor sem o sinal",
         Opcode::RealRoot => "REAL: valor := raiz quadrada do valor; de um negativo, 0, e S 04 := 1",
-        Opcode::RealComparable => "valor := um inteiro que se compara com outros como o REAL",
-        Opcode::LoadTable => "valor := registrador XX + valor; fora da tabela 0, e S 04 := 1",
+        Opcode::RealComparable => "valor := um inteiro que conserva a ordem dos números REAL",
+        Opcode::LoadTable => "valor := registrador XX + valor; fora da tabela: 0, e S 04 := 1",
         Opcode::StoreTable => {
-            "se acc = 1, registrador XX + o valor empilhado := valor; fora da tabela S 04 := 1"
+            "se acc = 1, registrador XX + o valor empilhado := valor; fora da tabela: S 04 := 1"
         }
         Opcode::ExtendSign => "valor := os seus XX bits baixos, com o mais alto deles como sinal",
         Opcode::ExtendZero => "valor := os seus XX bits baixos",
@@ -177,7 +183,7 @@ const fn portuguese(opcode: Opcode) -> &'static str {
         Opcode::If => {
             "se acc = 1, continua aqui; senão, depois do ELS ou END correspondente; novo degrau"
         }
-        Opcode::Else => "daqui em diante, se acc era 0 no IF correspondente; novo degrau",
+        Opcode::Else => "se acc era 0 no IF correspondente, a execução continua daqui; novo degrau",
         Opcode::EndIf => "o fim de um IF; novo degrau",
     }
 }

@@ -44,7 +44,7 @@ unoclp_words::messages! {
         "{other}, nesta linha, também tem o endereço {address}; dê outro endereço a uma das placas com `unoclp settings --set-address`";
     two_units(unit, other)
         "{other} also has unit {unit}; give each board of the site its own"
-        "{other} também tem a unidade {unit}; dê a cada placa da instalação a sua";
+        "{other} também tem a unidade {unit}; dê a cada placa da instalação uma unidade própria";
     two_servers(address)
         "two servers listen on {address}; give each its own port"
         "dois servidores usam {address}; dê a cada um a sua porta";

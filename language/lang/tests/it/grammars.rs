@@ -87,6 +87,14 @@ const LCE: [&str; 27] = [
 /// The productions of IEC 61131-3, B.1.3.1 to B.1.3.3, in its order.
 const TYPES: &str = include_str!("../iec-types.txt");
 
+/// The names of notations in the Portuguese page, where they are words.
+const IL_PT: [(&str, &str); 4] = [
+    ("PT omitido", "PT left out"),
+    ("funções da norma", "standard functions"),
+    ("blocos da norma", "standard blocks"),
+    ("comentários aninhados", "nested comments"),
+];
+
 /// How books and tools write Instruction List.
 const IL: [&str; 24] = [
     "END",
@@ -175,9 +183,9 @@ fn each_production_and_statement_has_its_cases() {
     for page in ["docs/grammar-tests.md", "docs/grammar-tests.pt-BR.md"] {
         let text = read(page);
         let types: Vec<&str> = TYPES.lines().collect();
-        let list = match page.contains("pt-BR") {
-            true => "\n## Lista de Instruções\n",
-            false => "\n## Instruction List\n",
+        let (list, translated) = match page.contains("pt-BR") {
+            true => ("\n## Lista de Instruções\n", &IL_PT[..]),
+            false => ("\n## Instruction List\n", &[][..]),
         };
         for (heading, sources) in [
             ("\n## InterSCL\n", &ISCL[..]),
@@ -186,7 +194,7 @@ fn each_production_and_statement_has_its_cases() {
             (list, &IL[..]),
         ] {
             let rows = rows(&text, heading);
-            let named: Vec<&str> = rows.iter().map(|row| row.0.as_str()).collect();
+            let named: Vec<&str> = rows.iter().map(|row| english(&row.0, translated)).collect();
             assert_eq!(named, sources, "{page}");
             for (source, cases) in &rows {
                 assert!(!cases.is_empty(), "{page}: {source}");
@@ -196,6 +204,12 @@ fn each_production_and_statement_has_its_cases() {
             }
         }
     }
+}
+
+/// The name that the lists above have for a row.
+fn english<'r>(row: &'r str, translated: &[(&str, &'r str)]) -> &'r str {
+    let twin = translated.iter().find(|(name, _)| *name == row);
+    twin.map_or(row, |(_, name)| name)
 }
 
 /// No production of the standard is left out: what one names, another one makes.

@@ -2,7 +2,7 @@
 // Portuguese.
 
 export const LATER = {
-  settingsOf: ["Stored settings, used after the next start", "Ajustes guardados, usados a partir do próximo início"],
+  settingsOf: ["Stored settings, used after the next start", "Ajustes guardados; passam a valer na próxima partida"],
   settingsSeek: ["No board answers at address {address}, {rate} baud, {parity}. If your board has other settings, enter them:", "Nenhuma placa responde no endereço {address}, {rate} baud, {parity}. Se a sua tem outros ajustes, indique-os:"],
   settingsNext: ["The board still uses address {address}, {rate} baud, {parity}. Restart it to apply the stored settings.", "A placa ainda usa o endereço {address}, {rate} baud, {parity}. Reinicie-a para ela usar os ajustes guardados."],
   settingsHint: ["To restore the defaults, connect A5 and inputs 01 to 04 to ground and reset the board. Here: close the STOP switch, latch buttons 1 to 4, press Reset.", "Para voltar aos ajustes de fábrica, ligue A5 e as entradas 01 a 04 ao GND e faça o reset. Aqui: feche a chave STOP, fixe os botões 1 a 4, aperte Reiniciar."],

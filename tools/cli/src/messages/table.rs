@@ -175,11 +175,11 @@ unoclp_words::messages! {
         "no longer forced: {points}"
         "não estão mais forçados: {points}";
     stays_on(outputs)
-        "{outputs} stays on: no rung writes it; it goes off at STOP"
-        "{outputs} continua ligada: nenhum degrau a escreve; ela desliga em STOP";
+        "still on, because no rung writes them: {outputs}; STOP switches them off"
+        "saídas ainda ligadas, porque nenhum degrau as escreve: {outputs}; STOP as desliga";
     may_stay_on(outputs)
-        "{outputs} is on and stays on unless the program writes it; it goes off at STOP"
-        "{outputs} está ligada e assim fica se o programa não a escrever; ela desliga em STOP";
+        "still on, unless the program writes them: {outputs}; STOP switches them off"
+        "saídas ainda ligadas, se o programa não as escrever: {outputs}; STOP as desliga";
     interrupted_with_old(state)
         "interrupted; the board is in {state} and keeps its old program"
         "interrompido; a placa está em {state} e mantém o programa antigo";

@@ -591,8 +591,14 @@ fn a_board_that_cannot_end_forcing_is_said_to_be_so_once() {
 #[test]
 fn an_output_that_no_rung_writes_is_said_to_stay_on_when_it_is_let_go() {
     for (program, says) in [
-        (Some(program()), "Q3 stays on: no rung writes it"),
-        (None, "Q1 Q3 is on and stays on unless"),
+        (
+            Some(program()),
+            "still on, because no rung writes them: Q3; STOP",
+        ),
+        (
+            None,
+            "still on, unless the program writes them: Q1 Q3; STOP",
+        ),
     ] {
         let mut app = app(program);
         let mut now = reading();
@@ -607,7 +613,7 @@ fn an_output_that_no_rung_writes_is_said_to_stay_on_when_it_is_let_go() {
         now.outputs = 0;
         app.hear(News::Read(Box::new(now)));
         let off = screen(&mut app, 80, 30);
-        assert!(!off.contains("stays"), "{off}");
+        assert!(!off.contains("still on"), "{off}");
     }
 }
 

@@ -402,8 +402,7 @@ fn a_board_whose_commands_are_locked_is_stopped_by_a5_only() {
     ] {
         let fake = Fake::new(locked(0b100));
         let (code, _, err) = on(&fake, command);
-        let says =
-            "error: commands are locked, so only A5 can stop the board: close it, then try again\n";
+        let says = "error: commands are locked, so only the STOP pin A5 can stop the board: connect A5 to ground, then try again\n";
         assert_eq!((code, err.as_str()), (2, says));
     }
     let fake = Fake::new(Board {
@@ -574,7 +573,7 @@ fn a_board_is_told_of_in_portuguese() {
         (
             locked(0b100),
             upload,
-            "erro: os comandos estão bloqueados, e só A5 para a placa",
+            "erro: os comandos estão bloqueados; só o pino STOP (A5) pode parar a placa",
         ),
         (
             worn,

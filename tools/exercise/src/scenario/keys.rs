@@ -110,7 +110,7 @@ pub(super) struct CaseKeys {
 #[derive(Deserialize)]
 #[serde(
     untagged,
-    expecting = "`text` must be a string, or a list of strings and repeated strings"
+    expecting = "write `text` as a string, or as a list of strings and { repeat = 3, text = \"…\" }"
 )]
 pub(super) enum TextKey {
     Whole(String),

@@ -17,8 +17,8 @@ unoclp_words::messages! {
         "{told}; put keys of the whole file above the first [[step]]"
         "{told}; ponha as chaves do arquivo inteiro acima do primeiro [[step]]";
     a_text()
-        "`text` must be a string, or a list of strings and repeated strings"
-        "`text` deve ser um texto, ou uma lista de textos e textos repetidos";
+        "write `text` as a string, or as a list of strings and {{ repeat = 3, text = \"…\" }}"
+        "escreva `text` como um texto, ou como uma lista de textos e {{ repeat = 3, text = \"…\" }}";
     both_languages()
         "write a text as \"…\" or {{ en = \"…\", pt = \"…\" }}, or with only one of the two languages"
         "escreva um texto como \"…\" ou {{ en = \"…\", pt = \"…\" }}, ou em só uma das duas línguas";
@@ -63,8 +63,8 @@ unoclp_words::messages! {
         "tanto `program` quanto `text` indicam um programa; deixe só um dos dois";
     long_text(most) "`text` is longer than {most} bytes" "`text` passa de {most} bytes";
     fault_and_steps()
-        "a program with a `fault` never runs; remove `fault`, or the steps and `until`"
-        "um programa com `fault` nunca roda; tire `fault`, ou os passos e `until`";
+        "a scenario that expects a `fault` does not run its program; remove `fault`, or the steps and `until`"
+        "um cenário que espera uma falha (`fault`) não executa o programa; tire `fault`, ou os passos e `until`";
     no_fault(number)
         "there is no fault {number}; docs/faults.md lists them"
         "não existe a falha {number}; docs/faults.pt-BR.md lista todas";

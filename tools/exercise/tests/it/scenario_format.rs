@@ -63,8 +63,8 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("seeds = [1]\nuntil = 5", 3, "`seeds` are further random seeds of a machine; name one with `plant`"),
         ("plant = \"m.toml\"\nseeds = [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1]\nuntil = 5", 4, "`seeds` has more than 20 numbers; remove some"),
         ("equivalent = [{ was = \"LD I1\", is = \"\" }]\nuntil = 5", 3, "missing field `why`"),
-        ("fault = { number = 24 }\nuntil = 5", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
-        ("fault = { number = 24 }\n[[step]]\nat = 0", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
+        ("fault = { number = 24 }\nuntil = 5", 3, "a scenario that expects a `fault` does not run its program; remove `fault`, or the steps and `until`"),
+        ("fault = { number = 24 }\n[[step]]\nat = 0", 3, "a scenario that expects a `fault` does not run its program; remove `fault`, or the steps and `until`"),
         ("fault = { number = 99 }", 3, "there is no fault 99; docs/faults.md lists them"),
         ("fault = { number = 24, line = 0 }", 3, "lines count from 1; omit `line` if the fault has no line"),
         ("fault = { number = 24, code = 1 }", 3, "unknown field `code`, expected `number` or `line`"),
@@ -81,7 +81,7 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("stops = { at = 5, number = 75 }\n[[step]]\nat = 6", 3, "the run ends at `stops`; remove `until` and later steps"),
         ("scan_ms = 2\nstops = { at = 5, number = 75 }", 4, "no scan starts at 5 ms; scans start every 2 ms (`scan_ms`)"),
         ("stops = { at = 5, number = 99 }", 3, "there is no fault 99; docs/faults.md lists them"),
-        ("fault = { number = 24 }\nstops = { at = 5, number = 75 }", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
+        ("fault = { number = 24 }\nstops = { at = 5, number = 75 }", 3, "a scenario that expects a `fault` does not run its program; remove `fault`, or the steps and `until`"),
         ("[[step]]\nat = -1", 4, "invalid value: integer `-1`, expected u32"),
         ("[[step]]\nset = { I1 = 1 }", 3, "missing field `at`"),
         ("about = \"again\"", 3, "duplicate key"),
@@ -285,7 +285,7 @@ fn a_text_may_be_given_by_its_parts() {
         Scenario::load(&path, unoclp_core::Board::UNO).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(scenario.program().bytes, b"0\n40\n40\n40\n41\n");
 
-    let kind = "`text` must be a string, or a list of strings and repeated strings";
+    let kind = "write `text` as a string, or as a list of strings and { repeat = 3, text = \"…\" }";
     #[rustfmt::skip]
     let cases = [
         ("5", kind),
@@ -319,7 +319,7 @@ fn what_is_wrong_is_told_in_portuguese() {
         (format!("{HEAD}[[step]]"), ":3: falta a chave `at`"),
         (format!("{HEAD}about = \"\""), ":3: esta chave aparece duas vezes"),
         (format!("{HEAD}[["), ":3: isto não é TOML válido; confira aspas, vírgulas e colchetes"),
-        ("about = \"\"\ntext = 5".to_owned(), ":2: `text` deve ser um texto, ou uma lista de textos e textos repetidos"),
+        ("about = \"\"\ntext = 5".to_owned(), ":2: escreva `text` como um texto, ou como uma lista de textos e { repeat = 3, text = \"…\" }"),
     ];
     for (index, (source, message)) in cases.into_iter().enumerate() {
         let path = file(&format!("errado-{index}.toml"), &source);

@@ -44,8 +44,8 @@ pub(crate) mod contactor {
         [80, 80];
         fields {
             by: Form::Drive, "what drives its coil" "o que comanda a bobina";
-            pull_in: Form::Number(Unit::Ms, 0, 500, 20), "how long it takes to close" "quanto demora para fechar";
-            drop_out: Form::Number(Unit::Ms, 0, 500, 30), "how long it takes to open" "quanto demora para abrir";
+            pull_in: Form::Number(Unit::Ms, 0, 500, 20), "how long it takes to close" "quanto tempo demora para fechar";
+            drop_out: Form::Number(Unit::Ms, 0, 500, 30), "how long it takes to open" "quanto tempo demora para abrir";
             aux: Form::Sense, "the input that its auxiliary contact switches" "a entrada que o contato auxiliar aciona";
         }
         values {
@@ -129,8 +129,8 @@ pub(crate) mod motor {
             overload: Form::MayPart(&["overload"]), "the overload relay before it" "o relé térmico antes dele";
             rated: Form::Number(Unit::Ma, 100, 50_000, 4000), "its current at full speed" "a corrente dele em rotação plena";
             full: Form::Number(Unit::Rpm, 100, 3600, 1740), "its full speed" "a rotação plena";
-            run_up: Form::Number(Unit::Ms, 50, 60_000, 1500), "how long it takes to reach full speed" "quanto demora até a rotação plena";
-            run_down: Form::Number(Unit::Ms, 50, 60_000, 3000), "how long it takes to stop" "quanto demora até parar";
+            run_up: Form::Number(Unit::Ms, 50, 60_000, 1500), "how long it takes to reach full speed" "quanto tempo demora até a rotação plena";
+            run_down: Form::Number(Unit::Ms, 50, 60_000, 3000), "how long it takes to stop" "quanto tempo demora até parar";
         }
         values {
             runs: FLAG, "whether it turns at nine tenths of its speed or more" "se gira com nove décimos da rotação ou mais";

@@ -82,7 +82,7 @@ pub(crate) mod valve {
             from: Form::MayPart(TANKS), "the tank before it" "o tanque antes dela";
             to: Form::MayPart(TANKS), "the tank after it" "o tanque depois dela";
             flow: Form::Number(Unit::MlPerS, 1, 100_000, 1000), "what flows when it is open" "a vazão dela aberta";
-            travel: Form::Number(Unit::Ms, 1, 60_000, 300), "how long it takes to open" "quanto demora para abrir";
+            travel: Form::Number(Unit::Ms, 1, 60_000, 300), "how long it takes to open" "quanto tempo demora para abrir";
         }
         values {
             open: FLAG, "whether it is open at all" "se está aberta";
@@ -179,7 +179,7 @@ pub(crate) mod stirrer {
         fields {
             by: Form::Drive, "what drives it" "o que o aciona";
             within: Form::Part(TANKS), "its tank" "o tanque dele";
-            takes: Form::Number(Unit::Ms, 100, 600_000, 5000), "how long it takes to mix" "quanto demora para misturar";
+            takes: Form::Number(Unit::Ms, 100, 600_000, 5000), "how long it takes to mix" "quanto tempo demora para misturar";
         }
         values {
             runs: FLAG, "whether it runs" "se está ligado";

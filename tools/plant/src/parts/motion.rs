@@ -20,7 +20,7 @@ pub(crate) mod cylinder {
         fields {
             extend: Form::Drive, "the coil that extends it" "a bobina que o avança";
             retract: Form::MayDrive, "the coil that retracts it" "a bobina que o recua";
-            takes: Form::Number(Unit::Ms, 50, 60_000, 800), "how long the full stroke takes" "quanto demora o curso todo";
+            takes: Form::Number(Unit::Ms, 50, 60_000, 800), "how long the full stroke takes" "quanto tempo demora o curso todo";
             is_in: Form::Sense, "the input of the switch at its inner end" "a entrada do fim de curso recuado";
             is_out: Form::Sense, "the input of the switch at its outer end" "a entrada do fim de curso avançado";
         }
@@ -72,8 +72,8 @@ pub(crate) mod gate {
         [180, 110];
         fields {
             raise: Form::Drive, "what raises it" "o que a sobe";
-            lower: Form::MayDrive, "what lowers it; without it, it falls by itself" "o que a desce; sem isso ela desce sozinha";
-            takes: Form::Number(Unit::Ms, 100, 60_000, 2000), "how long it takes" "quanto demora";
+            lower: Form::MayDrive, "what lowers it; if this is left out, the barrier falls by itself" "o que a desce; se isto falta, a cancela desce sozinha";
+            takes: Form::Number(Unit::Ms, 100, 60_000, 2000), "how long it takes" "quanto tempo demora";
             is_up: Form::Sense, "the input of the switch above" "a entrada do fim de curso de cima";
             is_down: Form::Sense, "the input of the switch below" "a entrada do fim de curso de baixo";
         }
@@ -82,9 +82,9 @@ pub(crate) mod gate {
             up: FLAG, "whether it is fully up" "se está toda levantada";
             down: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully down" "se está toda abaixada";
             lowers: FLAG, "whether it goes down" "se está descendo";
-            strained: DAMAGE, "whether its motor has pushed against an end for 3 s" "se o motor forçou um fim de curso por 3 s";
+            strained: DAMAGE, "whether its motor has pushed against the end of its travel for 3 s" "se o motor forçou a cancela contra o batente por 3 s";
             fine: FINE, "its position in small steps" "a posição em passos pequenos";
-            push: inner(0, 10_000), "how long it has pushed against an end" "há quanto tempo força um fim de curso";
+            push: inner(0, 10_000), "how long it has pushed against the end of its travel" "há quanto tempo força a cancela contra o batente";
         }
         faults { Stuck Slow Open Short }
     }
@@ -123,8 +123,8 @@ pub(crate) mod door {
         [160, 130];
         fields {
             open: Form::Drive, "what opens it" "o que a abre";
-            close: Form::MayDrive, "what closes it; without it, it closes by itself" "o que a fecha; sem isso ela fecha sozinha";
-            takes: Form::Number(Unit::Ms, 100, 120_000, 6000), "how long it takes" "quanto demora";
+            close: Form::MayDrive, "what closes it; if this is left out, the door closes by itself" "o que a fecha; se isto falta, a porta fecha sozinha";
+            takes: Form::Number(Unit::Ms, 100, 120_000, 6000), "how long it takes" "quanto tempo demora";
             is_open: Form::Sense, "the input of the switch at the open end" "a entrada do fim de curso aberto";
             is_closed: Form::Sense, "the input of the switch at the closed end" "a entrada do fim de curso fechado";
             beam: Form::Sense, "the input of the light barrier in it" "a entrada da barreira de luz no vão";
@@ -136,9 +136,9 @@ pub(crate) mod door {
             closes: FLAG, "whether it is closing" "se está fechando";
             obstacle: HAND, "whether somebody stands in it" "se alguém está no vão";
             crushed: DAMAGE, "whether it has crushed somebody" "se esmagou quem estava ali";
-            strained: DAMAGE, "whether its motor has pushed against an end for 3 s" "se o motor forçou um fim de curso por 3 s";
+            strained: DAMAGE, "whether its motor has pushed against the end of its travel for 3 s" "se o motor forçou a porta contra o batente por 3 s";
             fine: FINE, "its position in small steps" "a posição em passos pequenos";
-            push: inner(0, 10_000), "how long it has pushed against an end" "há quanto tempo força um fim de curso";
+            push: inner(0, 10_000), "how long it has pushed against the end of its travel" "há quanto tempo força a porta contra o batente";
         }
         faults { Stuck Slow Open Short Bouncing }
     }
@@ -187,7 +187,7 @@ pub(crate) mod elevator {
             down: Form::Drive, "what moves it down" "o que a desce";
             door: Form::Part(&["door"]), "its door" "a porta dela";
             floors: Form::Number(Unit::Count, 3, 4, 3), "how many floors it has" "quantos andares tem";
-            takes: Form::Number(Unit::Ms, 500, 60_000, 4000), "how long it takes from floor to floor" "quanto demora de andar a andar";
+            takes: Form::Number(Unit::Ms, 500, 60_000, 4000), "how long it takes from floor to floor" "quanto tempo demora de andar a andar";
             at_1: Form::Sense, "the input of the switch at floor 1" "a entrada do sensor do 1.º andar";
             at_2: Form::Sense, "the input of the switch at floor 2" "a entrada do sensor do 2.º andar";
             at_3: Form::Sense, "the input of the switch at floor 3" "a entrada do sensor do 3.º andar";
@@ -199,7 +199,7 @@ pub(crate) mod elevator {
             moves: FLAG, "whether it moves" "se está em movimento";
             crashed: DAMAGE, "whether it has run into an end of the shaft" "se bateu em um fim do poço";
             fine: inner(0, 3_000_000), "its height in small steps" "a altura em passos pequenos";
-            push: inner(0, 10_000), "how long it has pushed against an end" "há quanto tempo força um fim do poço";
+            push: inner(0, 10_000), "how long it has pushed against the end of its travel" "há quanto tempo força um fim do poço";
         }
         faults { Stuck Slow }
     }

@@ -89,9 +89,9 @@ pub(crate) mod tower {
         "tower" Panel "A tower light: red, yellow, green" "Uma torre luminosa: vermelho, amarelo, verde"
         [44, 110];
         fields {
-            red: Form::MayDrive, "what lights red" "o que acende o vermelho";
-            yellow: Form::MayDrive, "what lights yellow" "o que acende o amarelo";
-            green: Form::MayDrive, "what lights green" "o que acende o verde";
+            red: Form::MayDrive, "what switches the red light on" "o que acende a luz vermelha";
+            yellow: Form::MayDrive, "what switches the yellow light on" "o que acende a luz amarela";
+            green: Form::MayDrive, "what switches the green light on" "o que acende a luz verde";
         }
         values {
             red: FLAG, "whether red is lit" "se o vermelho está aceso";
@@ -147,7 +147,7 @@ pub(crate) mod bar {
         "bar" Panel "A value as a bar" "Um valor como barra"
         [44, 110];
         fields { of: Form::Value, "the value" "o valor"; }
-        values { share: SHARE, "how much of its range the value has" "quanto da faixa o valor tem"; }
+        values { share: SHARE, "where the value lies in its range" "em que ponto da faixa está o valor"; }
         faults { }
     }
     pub(crate) fn step(m: &mut Moment<'_>) {

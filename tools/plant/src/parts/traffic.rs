@@ -10,9 +10,9 @@ pub(crate) mod light {
         "light" Traffic "A traffic light; without `red` it is red while it is neither green nor yellow" "Um semáforo; sem `red` ele fica vermelho se não está verde nem amarelo"
         [50, 130];
         fields {
-            red: Form::MayDrive, "what lights red" "o que acende o vermelho";
-            yellow: Form::MayDrive, "what lights yellow" "o que acende o amarelo";
-            green: Form::Drive, "what lights green" "o que acende o verde";
+            red: Form::MayDrive, "what switches the red light on" "o que acende a luz vermelha";
+            yellow: Form::MayDrive, "what switches the yellow light on" "o que acende a luz amarela";
+            green: Form::Drive, "what switches the green light on" "o que acende a luz verde";
             shows: Form::Choice(&["cars", "walk"]), "whom it is for" "para quem é";
         }
         values {
@@ -42,19 +42,19 @@ pub(crate) mod light {
 pub(crate) mod road {
     use super::*;
     kind! {
-        "road" Traffic "A road with cars that come by chance and wait at a light" "Uma rua com carros que chegam ao acaso e esperam em um semáforo"
+        "road" Traffic "A road with cars that arrive at random and wait at a light" "Uma rua com carros que chegam em momentos aleatórios e esperam em um semáforo"
         [420, 90];
         fields {
             light: Form::Part(&["light"]), "its light" "o semáforo dela";
             every: Form::Number(Unit::Ms, 500, 600_000, 5000), "the time between cars" "o tempo entre os carros";
-            takes: Form::Number(Unit::Ms, 200, 60_000, 2000), "how long a car takes over the crossing" "quanto um carro demora no cruzamento";
+            takes: Form::Number(Unit::Ms, 200, 60_000, 2000), "how long a car takes to cross" "quanto tempo um carro demora no cruzamento";
         }
         values {
-            waiting: number(Unit::Count, 0, 20), "how many cars wait" "quantos carros esperam";
+            waiting: number(Unit::Count, 0, 20), "how many cars are waiting" "quantos carros estão esperando";
             passes: FLAG, "whether a car is on the crossing" "se há um carro no cruzamento";
             passed: COUNT, "how many cars have passed" "quantos carros passaram";
             hit: DAMAGE, "whether a car has hit somebody" "se um carro atingiu alguém";
-            on: inner(0, 60_000), "how long the car on the crossing still takes" "quanto falta ao carro no cruzamento";
+            on: inner(0, 60_000), "how long the car on the crossing still takes" "quanto tempo falta ao carro no cruzamento";
             next: inner(0, 1_200_000), "the time until the next car" "o tempo até o próximo carro";
         }
         faults { }
@@ -88,24 +88,24 @@ pub(crate) mod road {
 pub(crate) mod junction {
     use super::*;
     kind! {
-        "junction" Traffic "A crossing of two roads: cars come by chance on both, and crash where both drive" "Um cruzamento de duas ruas: carros chegam ao acaso nas duas, e batem se ambas andam"
+        "junction" Traffic "A crossing of two roads: cars arrive at random on both, and crash if both drive" "Um cruzamento de duas ruas: carros chegam em momentos aleatórios nas duas, e batem se os das duas andam"
         [520, 330];
         fields {
             across: Form::Part(&["light"]), "the light of the road that is drawn across" "o semáforo da rua desenhada na horizontal";
             down: Form::Part(&["light"]), "the light of the road that is drawn down" "o semáforo da rua desenhada na vertical";
             every: Form::Number(Unit::Ms, 500, 600_000, 5000), "the time between cars on each" "o tempo entre os carros em cada uma";
-            takes: Form::Number(Unit::Ms, 200, 60_000, 2000), "how long a car takes over the crossing" "quanto um carro demora no cruzamento";
+            takes: Form::Number(Unit::Ms, 200, 60_000, 2000), "how long a car takes to cross" "quanto tempo um carro demora no cruzamento";
         }
         values {
-            waiting_across: number(Unit::Count, 0, 20), "how many cars wait on the road across" "quantos carros esperam na rua horizontal";
-            waiting_down: number(Unit::Count, 0, 20), "how many cars wait on the road down" "quantos carros esperam na rua vertical";
+            waiting_across: number(Unit::Count, 0, 20), "how many cars are waiting on the road across" "quantos carros estão esperando na rua horizontal";
+            waiting_down: number(Unit::Count, 0, 20), "how many cars are waiting on the road down" "quantos carros estão esperando na rua vertical";
             passes_across: FLAG, "whether a car of the road across is on the crossing" "se há um carro da rua horizontal no cruzamento";
             passes_down: FLAG, "whether a car of the road down is on the crossing" "se há um carro da rua vertical no cruzamento";
             passed_across: COUNT, "how many cars have passed across" "quantos carros passaram pela rua horizontal";
             passed_down: COUNT, "how many cars have passed down" "quantos carros passaram pela rua vertical";
             crashed: DAMAGE, "whether two cars have crashed" "se dois carros bateram";
             hit: DAMAGE, "whether a car has hit somebody" "se um carro atingiu alguém";
-            on: Slot { count: 2, ..inner(0, 60_000) }, "how long the car of each road on the crossing still takes" "quanto falta ao carro de cada rua no cruzamento";
+            on: Slot { count: 2, ..inner(0, 60_000) }, "how long the car of each road on the crossing still takes" "quanto tempo falta ao carro de cada rua no cruzamento";
             next: Slot { count: 2, ..inner(0, 1_200_000) }, "the time until the next car of each road" "o tempo até o próximo carro de cada rua";
         }
         faults { }
@@ -168,23 +168,23 @@ pub(crate) mod walk {
     use super::*;
     use crate::parts::traffic::{junction, light, road};
     kind! {
-        "walk" Traffic "A crossing where people come by chance, press the button, and walk at green" "Uma faixa onde chegam pessoas ao acaso, apertam o botão e atravessam no verde"
+        "walk" Traffic "A crossing where people arrive at random, press the button, and cross on green" "Uma faixa de pedestres: as pessoas chegam em momentos aleatórios, apertam o botão e atravessam no verde"
         [120, 200];
         fields {
             light: Form::Part(&["light"]), "its light" "o semáforo dela";
             over: Form::Part(&["road", "junction"]), "the road; of a junction the one that is drawn across" "a rua; de um cruzamento, a horizontal";
             button: Form::Sense, "the input of the button" "a entrada do botão";
             every: Form::Number(Unit::Ms, 1000, 600_000, 20_000), "the time between people" "o tempo entre as pessoas";
-            takes: Form::Number(Unit::Ms, 500, 60_000, 5000), "how long it takes to cross" "quanto demora a travessia";
+            takes: Form::Number(Unit::Ms, 500, 60_000, 5000), "how long it takes to cross" "quanto tempo a travessia demora";
         }
         values {
-            waiting: number(Unit::Count, 0, 9), "how many people wait" "quantas pessoas esperam";
-            walks: FLAG, "whether somebody is crossing" "se alguém atravessa";
+            waiting: number(Unit::Count, 0, 9), "how many people are waiting" "quantas pessoas estão esperando";
+            walks: FLAG, "whether somebody is crossing" "se há alguém atravessando";
             crossed: COUNT, "how many have crossed" "quantas atravessaram";
             waited: number(Unit::Ms, 0, 3_600_000), "how long the first of them has waited" "há quanto tempo a primeira delas espera";
-            pressed: HAND, "whether somebody presses the button" "se alguém aperta o botão";
-            on: inner(0, 60_000), "how long they still take" "quanto ainda falta a elas";
-            group: inner(0, 9), "how many walk" "quantas atravessam";
+            pressed: HAND, "whether somebody is pressing the button" "se alguém está apertando o botão";
+            on: inner(0, 60_000), "how long they still take" "quanto tempo ainda falta a elas";
+            group: inner(0, 9), "how many are crossing" "quantas estão atravessando";
             next: inner(0, 1_200_000), "the time until the next one" "o tempo até a próxima";
             presses: inner(0, 10_000), "how long the button is still pressed" "quanto tempo o botão ainda fica apertado";
         }
@@ -248,23 +248,23 @@ pub(crate) mod lane {
             gate: Form::Part(&["gate"]), "the gate" "a cancela";
             spaces: Form::Number(Unit::Count, 1, 20, 5), "the number of spaces" "quantos carros cabem";
             every: Form::Number(Unit::Ms, 1000, 600_000, 8000), "the time between cars" "o tempo entre os carros";
-            stays: Form::Number(Unit::Ms, 1000, 3_600_000, 60_000), "how long a car stays" "quanto um carro fica";
-            takes: Form::Number(Unit::Ms, 500, 60_000, 3000), "how long it takes to pass the gate" "quanto demora na cancela";
+            stays: Form::Number(Unit::Ms, 1000, 3_600_000, 60_000), "how long a car stays" "quanto tempo um carro fica";
+            takes: Form::Number(Unit::Ms, 500, 60_000, 3000), "how long it takes to pass the gate" "quanto tempo demora na cancela";
             at_gate: Form::Sense, "the input of the sensor before the gate" "a entrada do sensor antes da cancela";
             under: Form::Sense, "the input of the sensor under the gate" "a entrada do sensor debaixo da cancela";
             leaves: Form::Sense, "the input of the sensor at the way out" "a entrada do sensor da saída";
         }
         values {
-            waiting: number(Unit::Count, 0, 20), "how many cars wait before the gate" "quantos carros esperam antes da cancela";
+            waiting: number(Unit::Count, 0, 20), "how many cars are waiting before the gate" "quantos carros estão esperando antes da cancela";
             passes: FLAG, "whether a car is under the gate" "se há um carro debaixo da cancela";
             inside: number(Unit::Count, 0, 40), "how many cars are inside" "quantos carros estão dentro";
             overfull: DAMAGE, "whether there are more cars inside than spaces" "se há mais carros dentro do que cabem";
             hit: DAMAGE, "whether the gate has come down on a car" "se a cancela desceu em um carro";
             entered: COUNT, "how many cars have come in" "quantos carros entraram";
-            on: inner(0, 60_000), "how long the car under the gate still takes" "quanto falta ao carro debaixo da cancela";
+            on: inner(0, 60_000), "how long the car under the gate still takes" "quanto tempo falta ao carro debaixo da cancela";
             next: inner(0, 1_200_000), "the time until the next car" "o tempo até o próximo carro";
             out: inner(0, 1000), "how long the car at the way out is still seen" "quanto tempo o carro na saída ainda é visto";
-            rest: Slot { count: 20, ..inner(0, 7_200_000) }, "how long each car still stays" "quanto cada carro ainda fica";
+            rest: Slot { count: 20, ..inner(0, 7_200_000) }, "how long each car still stays" "quanto tempo cada carro ainda fica";
         }
         faults { Stuck Open Short Bouncing }
     }

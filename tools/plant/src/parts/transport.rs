@@ -61,7 +61,7 @@ pub(crate) mod belt {
             onto: Form::MayPart(&["belt", "bin"]), "what stands at its end" "o que está no fim dela";
             long: Form::Number(Unit::Mm, 200, 20_000, 2000), "how long it is" "o comprimento";
             speed: Form::Number(Unit::MmPerS, 10, 3000, 300), "its speed" "a velocidade";
-            run_up: Form::Number(Unit::Ms, 1, 20_000, 200), "how long it takes to reach full speed" "quanto demora até a velocidade plena";
+            run_up: Form::Number(Unit::Ms, 1, 20_000, 200), "how long it takes to reach full speed" "quanto tempo demora até a velocidade plena";
         }
         values {
             runs: FLAG, "whether it moves" "se está em movimento";
@@ -166,7 +166,7 @@ pub(crate) mod feeder {
         fields {
             onto: Form::Part(BELTS), "the belt" "a esteira";
             every: Form::Number(Unit::Mm, 100, 10_000, 400), "the distance between things" "a distância entre as peças";
-            things: Form::Choice(&["boxes", "mixed", "bottles"]), "what it lays; `mixed` is metal and plastic, tall and short by chance" "o que põe; `mixed` é metal e plástico, alto e baixo ao acaso";
+            things: Form::Choice(&["boxes", "mixed", "bottles"]), "what it lays; `mixed` is metal and plastic, tall and short at random" "o que põe; `mixed` é metal e plástico, alto e baixo, em ordem aleatória";
             most: Form::Number(Unit::Count, 0, 1_000_000, 1_000_000), "how many it has" "quantas tem";
         }
         values {
@@ -253,7 +253,7 @@ pub(crate) mod pusher {
             of: Form::Part(BELTS), "the belt" "a esteira";
             place: Form::Number(Unit::Mm, 0, 20_000, 1000), "where it stands" "onde fica";
             into: Form::Part(&["bin"]), "the bin" "a caixa";
-            takes: Form::Number(Unit::Ms, 50, 10_000, 250), "how long it takes" "quanto demora";
+            takes: Form::Number(Unit::Ms, 50, 10_000, 250), "how long it takes" "quanto tempo demora";
             is_in: Form::Sense, "the input of the switch at its inner end" "a entrada do fim de curso recuado";
             is_out: Form::Sense, "the input of the switch at its outer end" "a entrada do fim de curso avançado";
         }
@@ -307,12 +307,12 @@ pub(crate) mod filler {
             by: Form::Drive, "what opens it" "o que o abre";
             of: Form::Part(BELTS), "the belt" "a esteira";
             place: Form::Number(Unit::Mm, 0, 20_000, 1000), "where it stands" "onde fica";
-            takes: Form::Number(Unit::Ms, 100, 60_000, 2000), "how long it takes to fill a bottle" "quanto demora para encher uma garrafa";
+            takes: Form::Number(Unit::Ms, 100, 60_000, 2000), "how long it takes to fill a bottle" "quanto tempo demora para encher uma garrafa";
         }
         values {
             pours: FLAG, "whether it pours" "se está despejando";
             spills: FLAG, "whether it pours beside a bottle, or into a full one" "se despeja fora de uma garrafa, ou em uma cheia";
-            spilt: number(Unit::Ms, 0, 3_600_000), "how long it has spilled" "por quanto tempo despejou assim";
+            spilt: number(Unit::Ms, 0, 3_600_000), "how long it has poured beside a bottle, or into a full one" "por quanto tempo despejou fora de uma garrafa ou em uma cheia";
             fine: inner(0, 1_000_000), "what has been poured since, in small steps" "o que despejou, em passos pequenos";
         }
         faults { Stuck Leaking Open }

@@ -40,14 +40,16 @@ pub const fn portuguese(cause: Cause) -> &'static str {
         }
         Cause::ProgramFull => "o programa não cabe na memória de programa a partir daqui (NC-10)",
         Cause::RunMemoryFull => "o programa não cabe na memória de execução a partir daqui (NC-10)",
-        Cause::CannotKeep => "o que é retido vem primeiro, no máximo 16 (NC-21)",
-        Cause::NoCard => "nenhum cartão responde; ele está no slot, D10 a D13 estão ligados?",
+        Cause::CannotKeep => "escreva KD e KC logo depois do 0, no máximo 16 (NC-21)",
+        Cause::NoCard => {
+            "nenhum cartão responde; há um cartão no leitor e D10 a D13 estão ligados?"
+        }
         Cause::CardDead => "o cartão responde, mas não fica pronto; tente outro (MMC não serve)",
         Cause::CardReadError => "o cartão não pode ser lido; tente de novo ou tente outro",
         Cause::NoVolume => "o cartão não é FAT16 nem FAT32; formate-o assim",
         Cause::NoProgramFile => "não há PROGRAM.TXT na pasta raiz (será PROGRAM.TXT.TXT?)",
-        Cause::VolumeDamaged => "a FAT do cartão não faz sentido; verifique ou formate o cartão",
-        Cause::FileChanged => "na segunda leitura, o cartão deu outro programa; tente outro",
+        Cause::VolumeDamaged => "a FAT do cartão está danificada; verifique ou formate o cartão",
+        Cause::FileChanged => "a segunda leitura do cartão trouxe outro programa; use outro cartão",
         Cause::ScanTooLong => {
             "uma varredura levou mais de 110 ms; aperte o reset para tentar de novo"
         }
@@ -69,7 +71,7 @@ pub const fn portuguese(cause: Cause) -> &'static str {
         Cause::PushedTooDeep => "mais de 8 valores empilhados (NC-22)",
         Cause::ValueLeftPushed => "um valor ainda está empilhado onde o degrau termina (NC-22)",
         Cause::NotReal => "não são os bits de um número REAL finito (NC-23)",
-        Cause::NoIf => "nenhum IF está aberto para isto (NC-28)",
+        Cause::NoIf => "este ELS ou END não tem IF (NC-28)",
         Cause::IfTooDeep => "mais de 8 IFs abertos (NC-28)",
         Cause::IfLeftOpen => "este IF não tem END (NC-28)",
     }
