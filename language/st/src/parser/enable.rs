@@ -1,8 +1,6 @@
 //! EN and ENO of a call (IEC 61131-3, 2.5.1.2): the call is made where EN is TRUE, and ENO tells whether it was.
 
 use super::super::ast::{Arg, Node, NodeKind, Path, Statement, StatementKind};
-use super::super::token::{Kind, Token};
-use super::super::words::Keyword;
 use super::Parser;
 
 /// What a call says of EN and ENO.
@@ -25,29 +23,6 @@ impl Parser<'_, '_> {
         let en = en.map(|arg| arg.node);
         (en.is_some() || eno.is_some()).then_some((en, eno))
     }
-}
-
-/// Whether a unit of the text declares EN or ENO as an input or output; a variable of this name leaves calls theirs.
-pub(super) fn declares_en(text: &str, tokens: &[Token], keywords: &[Keyword]) -> bool {
-    let is = |token: &Token, what: &str| {
-        let written = text.get(token.span.range()).unwrap_or_default();
-        written.eq_ignore_ascii_case(what)
-    };
-    let mut parameters = false;
-    tokens.windows(2).zip(keywords).any(|(two, keyword)| {
-        let [name, next] = two else {
-            return false;
-        };
-        match keyword {
-            Keyword::VarInput | Keyword::VarOutput | Keyword::VarInOut => parameters = true,
-            Keyword::EndVar => parameters = false,
-            other if other.is_section() => parameters = false,
-            _ => {}
-        }
-        parameters
-            && (is(name, "EN") || is(name, "ENO"))
-            && (matches!(next.kind, Kind::Colon | Kind::Comma) || is(next, "AT"))
-    })
 }
 
 fn is_named(arg: &Arg, name: &str) -> bool {

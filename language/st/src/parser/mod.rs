@@ -3,7 +3,7 @@
 //! - `unit`: programs, functions, blocks, and what stands around them
 //! - `declare`, `types`, `initial`: variables, their types, and what they begin with
 //! - `statement`, `compound` (loops), `choice`: statements; `recover`: what is done after one that is wrong
-//! - `enable`: EN and ENO of a call; `chart`: steps, transitions, actions
+//! - `enable`, `own_enable`: EN and ENO of a call; `chart`: steps, transitions, actions
 //! - `expression`, `operand`, `path`: the rest
 //!
 //! It tells what is not written as the grammar has it, once for each place, and goes on after the statement.
@@ -17,6 +17,7 @@ mod enable;
 mod expression;
 mod initial;
 mod operand;
+mod own_enable;
 mod path;
 mod recover;
 mod statement;
@@ -131,7 +132,7 @@ impl<'t, 'f> Parser<'t, 'f> {
             _ => Keyword::None,
         };
         let keywords: Vec<Keyword> = tokens.iter().map(keyword).collect();
-        let declares_en = enable::declares_en(text, &tokens, &keywords);
+        let declares_en = own_enable::declares_en(text, &tokens, &keywords);
         // A comment, or code for another machine, that swallows the rest is the one mistake.
         let open = [Code::StCommentOpen, Code::StNotClosed];
         let dead = open.into_iter().any(|code| found.place_of(code).is_some());
