@@ -79,9 +79,23 @@ pub(crate) fn begins(of: Node<'_, '_>) -> Option<String> {
     let value = first(of, "initialValue").and_then(initial)?;
     let kind = first(of, "type").or(first(of, "baseType"));
     let kind = kind.and_then(|of| of.first_element_child());
-    let is_string = kind.is_some_and(|of| of.tag_name().name().eq_ignore_ascii_case("string"));
-    let is_bare = is_string && !value.starts_with('\'') && !value.ends_with('\'');
-    Some(if is_bare { format!("'{value}'") } else { value })
+    let is_quoted = value.len() > 1 && value.starts_with('\'') && value.ends_with('\'');
+    if is_quoted || !kind.is_some_and(is_string) {
+        return Some(value);
+    }
+    let text = value.replace('$', "$$").replace('\'', "$'");
+    Some(format!("'{text}'"))
+}
+
+/// Whether a type is STRING, or that of Beremiz's screens.
+fn is_string(of: Node<'_, '_>) -> bool {
+    let name = match of.tag_name().name() {
+        "derived" => of.attribute("name").unwrap_or_default(),
+        own => own,
+    };
+    ["string", "HMI_STRING"]
+        .iter()
+        .any(|own| own.eq_ignore_ascii_case(name))
 }
 
 /// A first value, as the text of a language has it.

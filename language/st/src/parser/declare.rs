@@ -152,7 +152,9 @@ impl Parser<'_, '_> {
             return Err(self.missing(what, help));
         }
         self.next();
-        if self.is(Kind::Star) {
+        let written = self.slice(token.span);
+        let is_open = !written.ends_with(|last: char| last.is_ascii_digit());
+        if is_open && self.is(Kind::Star) {
             let star = self.next().span;
             self.open_place(token.span.to(star));
             return Ok(None);

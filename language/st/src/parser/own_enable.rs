@@ -10,6 +10,8 @@ pub(super) fn declares_en(text: &str, tokens: &[Token], keywords: &[Keyword]) ->
         written.eq_ignore_ascii_case(what)
     };
     let mut parameters = false;
+    // Names in parentheses are values: of an enumeration, or first ones.
+    let mut depth = 0_u32;
     tokens.windows(2).zip(keywords).any(|(two, keyword)| {
         let [name, next] = two else {
             return false;
@@ -20,7 +22,13 @@ pub(super) fn declares_en(text: &str, tokens: &[Token], keywords: &[Keyword]) ->
             other if other.is_section() => parameters = false,
             _ => {}
         }
+        match name.kind {
+            Kind::Open => depth += 1,
+            Kind::Close => depth = depth.saturating_sub(1),
+            _ => {}
+        }
         parameters
+            && depth == 0
             && (is(name, "EN") || is(name, "ENO"))
             && (matches!(next.kind, Kind::Colon | Kind::Comma) || is(next, "AT"))
     })

@@ -152,7 +152,7 @@ export class ProgramView {
     showProblems(this.problems, checked, lacks, {
       text: (line, column) => this.editor.go(line, column),
       drawing: () => this.goDraw(),
-      adapt: () => void this.adapt(this.program.text.value),
+      adapt: () => void this.adapt(),
     });
     this.count.textContent = countOf(checked, lacks);
     this.count.classList.toggle("bad", lacks > 0 || (checked.program === null && !checked.blank));
@@ -176,8 +176,11 @@ export class ProgramView {
   }
 
   /** Gives the points of another PLC a place on this board, which can be undone. */
-  private async adapt(text: Text): Promise<void> {
+  private async adapt(): Promise<void> {
+    const text = this.program.text.value;
     await asked(this.tools.ask("adapt", { of: text }), (adapted) => {
+      // Somebody has gone on writing: it is asked for that.
+      if (text !== this.program.text.value) return void this.adapt();
       if (adapted === null) return;
       this.open({ ...text, text: adapted.text });
       if (adapted.left.length > 0) note(() => say("adaptLeft", { points: adapted.left.join(", ") }));

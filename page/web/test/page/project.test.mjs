@@ -54,10 +54,12 @@ test("the variables of a unit are edited in a table", async () => {
   await field(page, "hold", "retained").click();
   await has(page, 'retain="true"');
   await page.fill("#variable-new", "count");
-  await page.click("#variable-add");
+  await page.press("#variable-new", "Enter");
   await has(page, '<variable name="count">');
-  await write(page, "count", "kind", "INT");
+  await page.waitForFunction(() => document.querySelector('tr[data-variable="count"]') && /** @type {HTMLInputElement | null} */ (document.querySelector("#variable-new"))?.value === "");
+  await write(page, "count", "kind", "int");
   await has(page, "<INT/>");
+  await page.waitForFunction(() => /** @type {HTMLInputElement | null} */ (document.querySelector('tr[data-variable="count"] [id$="-kind"]'))?.value === "INT");
   await write(page, "count", "first", "7");
   await has(page, '<simpleValue value="7"/>');
   // A text that was begun goes on where the table is made anew.

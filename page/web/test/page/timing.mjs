@@ -10,10 +10,13 @@ import { PATIENCE } from "./harness.mjs";
 /** What a button of the diagram saves. Its buttons are made anew where its channels change: who has missed one presses the next.
  * @param {Page} page @param {string} name @returns {Promise<string>} */
 export async function saved(page, name) {
-  const download = page.waitForEvent("download", { timeout: 5_000 }).catch(() => null);
-  await page.locator(".trend-tools button", { hasText: name }).click();
-  const path = await (await download)?.path();
-  return path ? readFileSync(path, "utf8") : saved(page, name);
+  for (const until = Date.now() + PATIENCE; Date.now() < until;) {
+    const download = page.waitForEvent("download", { timeout: 5_000 }).catch(() => null);
+    await page.locator(".trend-tools button", { hasText: name }).click();
+    const path = await (await download)?.path();
+    if (path) return readFileSync(path, "utf8");
+  }
+  throw new Error(`${name} saves nothing`);
 }
 
 /** Its changes: for each point its times and values. @param {Page} page */

@@ -269,6 +269,8 @@ fn between(words: &[Word<'_>], next: Word<'_>, gap: &str, in_section: bool) -> u
     match (word.text, next.text) {
         (_, ";" | ",") | (_, ")" | "]") | ("(" | "[", _) => 0,
         (".", _) | (_, ".") | ("..", _) | (_, "..") => 0,
+        // A place that is left open: `%M*`.
+        (place, "*") if place.starts_with('%') && gap.is_empty() => 0,
         (_, "[") if word.is_name() || matches!(word.text, "]" | ")") => 0,
         (_, ":") if gap.is_empty() => 0,
         _ if of_one => gap.len().min(1),

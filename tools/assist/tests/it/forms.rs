@@ -40,6 +40,12 @@ fn what_is_well_written_stays() {
     assert!(kept * 10 > paths.len() * 8, "{kept} of {}", paths.len());
 }
 
+#[test]
+fn a_place_that_is_left_open_stays_one_word() {
+    let open = text("st", "VAR\n  a AT %M* : BOOL;\nEND_VAR\na := TRUE;\n");
+    assert!(keeps(&open).contains("%M* : BOOL"));
+}
+
 /// Blanks taken out of and put into random programs change nothing, and come back to one form.
 #[test]
 fn random_programs_keep_their_codes() {

@@ -71,7 +71,7 @@ pub const fn portuguese(cause: Cause) -> &'static str {
         Cause::PushedTooDeep => "mais de 8 valores empilhados (NC-22)",
         Cause::ValueLeftPushed => "um valor ainda está empilhado onde o degrau termina (NC-22)",
         Cause::NotReal => "não são os bits de um número REAL finito (NC-23)",
-        Cause::NoIf => "este ELS ou END não tem IF (NC-28)",
+        Cause::NoIf => "ELS ou END sem IF, ou um segundo ELS (NC-28)",
         Cause::IfTooDeep => "mais de 8 IFs abertos (NC-28)",
         Cause::IfLeftOpen => "este IF não tem END (NC-28)",
     }

@@ -111,7 +111,7 @@ export class Body {
     const leave = ({ key }: KeyboardEvent): void => {
       if (key === "Enter" || key === "Escape") this.paper.focus();
     };
-    const field = h("input", { id: "unit-written", value: written, spellcheck: "false", autocomplete: "off", change: () => this.alter({ what: "written", at: id, to: field.value }) });
+    const field = h("input", { id: "unit-written", "data-of": id, value: written, spellcheck: "false", autocomplete: "off", change: () => this.alter({ what: "written", at: id, to: field.value }) });
     field.addEventListener("keydown", leave);
     const pick = (what: "edge" | "storage", values: readonly (keyof typeof WORDS)[], value: string): HTMLElement => {
       const list = h("select", { id: `unit-${what}`, change: () => this.alter({ what, at: id, to: list.value }) }, ...values.map((one) => h("option", { value: one, selected: one === value }, say(WORDS[one]))));

@@ -42,7 +42,7 @@ export class Table {
   private row(row: ProjectRow, at: number, wrong: Problem | undefined): HTMLElement {
     const fields = FIELDS.map(([what, word]) => {
       const field = h("input", {
-        id: `variable-${at}-${what}`, value: row[what] ?? "", "aria-label": `${row.name}: ${say(word)}`, spellcheck: "false", autocomplete: "off",
+        id: `variable-${at}-${what}`, "data-of": row.name, value: row[what] ?? "", "aria-label": `${row.name}: ${say(word)}`, spellcheck: "false", autocomplete: "off",
         change: () => this.alter({ what, at: row.name, to: field.value }),
       });
       return h("td", {}, field);

@@ -20,6 +20,8 @@ export class Form {
   readonly root = h("form", { class: "chart-form", id: "chart-form", submit: (event) => event.preventDefault() });
   /** What its fields are made of. */
   private made = "";
+  /** The part that they are of. */
+  private part = "";
 
   constructor(
     private readonly act: (act: Done) => void,
@@ -34,7 +36,8 @@ export class Form {
     if (made === this.made) return;
     this.made = made;
     const mistakes = wrong.map(({ severity, message, help }) => h("p", { class: severity }, told(message), h("small", {}, told(help))));
-    refill(this.root, [...this.fields(part, steps), ...mistakes]);
+    refill(this.root, [...this.fields(part, steps), ...mistakes], id === this.part);
+    this.part = id;
   }
 
   /** The focus goes to its first field. */
