@@ -325,7 +325,7 @@ unoclp_words::messages! {
     name_taken() "another part of the chart has that name" "outra parte do SFC já tem esse nome";
     no_further() "it cannot move further" "não dá para mover mais";
     missing() "a condition or a time is missing" "falta uma condição ou um tempo";
-    not_one_part() "this ends in the middle of the field; write an expression, or statements" "isto termina no meio do campo; escreva uma expressão, ou comandos";
+    not_one_part() "the text in this field ends its part of the chart too early; write only an expression, or statements" "o texto deste campo encerra cedo demais a sua parte do SFC; escreva só uma expressão, ou comandos";
 }
 
 /// Why nothing is done.

@@ -172,8 +172,8 @@ unoclp_words::messages! {
         "  not encrypted: anyone on the network path can read it, the password included"
         "  sem criptografia: quem estiver no caminho da rede lê tudo, inclusive a senha";
     journal(every, bound)
-        "journal: on disk every {every}, at most {bound}"
-        "diário: no disco a cada {every}, no máximo {bound}";
+        "journal: written to disk every {every}, at most {bound}"
+        "diário: gravado em disco a cada {every}, no máximo {bound}";
     record(bound)
         "record: at most {bound}; then the oldest half is deleted"
         "livro de ocorrências: no máximo {bound}; depois a metade mais antiga é apagada";

@@ -561,7 +561,7 @@ fn a_right_file_says_what_it_would_do() {
         "board y (UNO): address 1, unit 1, read every 500ms",
         "no program: points have their own names",
         "history: h.db, every change for 30d, then minutes and hours",
-        "journal: on disk every 200ms, at most 256MB",
+        "journal: written to disk every 200ms, at most 256MB",
         "Modbus TCP: 127.0.0.1:1502; anyone who reaches it may write x.TARGET",
     ] {
         assert!(told.contains(part), "{part}\n{told}");

@@ -202,7 +202,7 @@ macro_rules! il_rows {
         "{0} needs {1}"
         "write it in the call: CAL T1 (IN:=%IX1, PT:=T#20s), or CAL C1 (CU:=%IX1, R:=%IX2, PV:=20)"
         "{0} precisa de {1}"
-        "escreva-o na chamada: CAL T1 (IN:=%IX1, PT:=T#20s), ou CAL C1 (CU:=%IX1, R:=%IX2, PV:=20)";
+        "acrescente o parâmetro à chamada: CAL T1 (IN:=%IX1, PT:=T#20s), ou CAL C1 (CU:=%IX1, R:=%IX2, PV:=20)";
     54 PresetAssumed Warning
         "{0} has no preset; it is {1}, as on a Twido"
         "declare it: VAR {0} : {2} END_VAR"

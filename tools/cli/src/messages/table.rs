@@ -640,7 +640,7 @@ unoclp_words::messages! {
         " varredura {last} µs ({least} a {most})  fonte {volts} V  pilha {stack} bytes livres";
     history(cause, restarts, faults)
         " last start: {cause}  since power-up: restarts {restarts}, faults {faults}"
-        " última partida: {cause}  desde ligada: reinícios {restarts}, falhas {faults}";
+        " última partida: {cause}  desde que foi ligada: reinícios {restarts}, falhas {faults}";
     over(most) "over {most}" "mais de {most}";
     too_small(columns, lines)
         "this screen is too small: {columns} x {lines}"

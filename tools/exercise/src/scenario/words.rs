@@ -122,8 +122,8 @@ unoclp_words::messages! {
     expected(what) "expected {what}" "esperado: {what}";
     came(what) "got      {what}" "ocorreu:  {what}";
     at_time(at, what) "at {at} ms {what}" "aos {at} ms, {what}";
-    that_it_runs() "that the program runs" "que o programa rodasse";
-    that_it_runs_on() "that the program keeps running" "que o programa continuasse";
+    that_it_runs() "the program to run" "que o programa rodasse";
+    that_it_runs_on() "the program to keep running" "que o programa continuasse";
     but_ran_on() "but the program kept running" "mas o programa continuou";
     but_accepted() "but the program was accepted" "mas o programa foi aceito";
     unmet(place, from, expected, came)

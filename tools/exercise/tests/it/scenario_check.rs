@@ -168,7 +168,7 @@ fn refusals_are_compared() {
         (fault, Err(REFUSED), "PASS: refused as expected: fault 24, line 7: no such code"),
         (fault, Err(other_line), "FAIL\n  expected fault 24, line 7: no such code\n  got      fault 24, line 8: no such code"),
         (fault, Ok(()), "FAIL\n  expected fault 24, line 7: no such code\n  but the program was accepted"),
-        (runs, Err(REFUSED), "FAIL\n  expected that the program runs\n  got      fault 24, line 7: no such code"),
+        (runs, Err(REFUSED), "FAIL\n  expected the program to run\n  got      fault 24, line 7: no such code"),
         (runs, Ok(()), "PASS"),
     ];
     for (source, loads, expected) in cases {

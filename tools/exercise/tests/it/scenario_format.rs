@@ -261,7 +261,7 @@ fn a_run_may_end_in_a_fault() {
     );
     assert_eq!(
         told("stops-not.toml", "until = 4"),
-        format!("FAIL\n  expected that the program keeps running\n  got      at 3 ms {fault}")
+        format!("FAIL\n  expected the program to keep running\n  got      at 3 ms {fault}")
     );
     let runs_on = load(
         "runs-on.toml",

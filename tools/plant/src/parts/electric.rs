@@ -17,7 +17,7 @@ pub(crate) mod fuse {
             blown: DAMAGE, "whether it has blown" "se queimou";
             current: number(Unit::Ma, 0, 1_000_000), "the current through it" "a corrente nele";
             heat: inner(0, 1_000_000), "how hot it is" "quanto esquentou";
-            drawn: inner(0, 1_000_000), "what is drawn in this millisecond" "o que se puxa neste milissegundo";
+            drawn: inner(0, 1_000_000), "the current drawn in this millisecond" "a corrente consumida neste milissegundo";
         }
         faults { Open }
     }
@@ -89,7 +89,7 @@ pub(crate) mod overload {
             heat: number(Unit::Permille, 0, 1000), "how near it is to tripping" "quanto falta para desarmar";
             current: number(Unit::Ma, 0, 1_000_000), "the current through it" "a corrente nele";
             warmth: inner(0, 2_000_000), "its heat in small steps" "o calor em passos pequenos";
-            drawn: inner(0, 1_000_000), "what is drawn in this millisecond" "o que se puxa neste milissegundo";
+            drawn: inner(0, 1_000_000), "the current drawn in this millisecond" "a corrente consumida neste milissegundo";
         }
         faults { Stuck Open Short }
     }

@@ -238,7 +238,7 @@ pub(crate) mod level {
         [50, 50];
         fields {
             of: Form::Part(TANKS), "its tank" "o tanque dele";
-            to: Form::Reading, "the analogue input that it sets" "a entrada analógica que ele comanda";
+            to: Form::Reading, "the analogue input that it sets" "a entrada analógica em que ele está ligado";
             signal: Form::Choice(&["0-10V", "4-20mA"]), "its signal" "o sinal dele";
         }
         values { reading: number(Unit::Count, 0, 1023), "what the input reads" "o que a entrada lê"; }

@@ -130,7 +130,7 @@ pub(crate) mod thermometer {
         [50, 50];
         fields {
             of: Form::Part(OVENS), "its oven" "o forno dele";
-            to: Form::Reading, "the analogue input that it sets" "a entrada analógica que ele comanda";
+            to: Form::Reading, "the analogue input that it sets" "a entrada analógica em que ele está ligado";
             span: Form::Number(Unit::MilliC, 10_000, 400_000, 400_000), "the temperature at which the input reads 1023; it reads 0 at 0 °C" "a temperatura em que a entrada lê 1023; em 0 °C ela lê 0";
         }
         values { reading: number(Unit::Count, 0, 1023), "what the input reads" "o que a entrada lê"; }

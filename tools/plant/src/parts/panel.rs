@@ -130,7 +130,7 @@ pub(crate) mod dial {
         "dial" Panel "A potentiometer" "Um potenciômetro"
         [60, 72];
         fields {
-            to: Form::Reading, "the analogue input that it sets" "a entrada analógica que ele comanda";
+            to: Form::Reading, "the analogue input that it sets" "a entrada analógica em que ele está ligado";
             first: Form::Number(Unit::Permille, 0, 1000, 500), "its position at first" "onde ele está no começo";
         }
         values { turned: Slot { by_hand: true, first: Limit::Of("first"), ..SHARE }, "how far it is turned" "quanto está girado"; }

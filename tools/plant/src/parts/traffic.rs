@@ -54,7 +54,7 @@ pub(crate) mod road {
             passes: FLAG, "whether a car is on the crossing" "se há um carro no cruzamento";
             passed: COUNT, "how many cars have passed" "quantos carros passaram";
             hit: DAMAGE, "whether a car has hit somebody" "se um carro atingiu alguém";
-            on: inner(0, 60_000), "how long the car on the crossing still takes" "quanto tempo falta ao carro no cruzamento";
+            on: inner(0, 60_000), "how much longer the car on the crossing takes" "quanto tempo falta ao carro no cruzamento";
             next: inner(0, 1_200_000), "the time until the next car" "o tempo até o próximo carro";
         }
         faults { }
@@ -91,21 +91,21 @@ pub(crate) mod junction {
         "junction" Traffic "A crossing of two roads: cars arrive at random on both, and crash if both drive" "Um cruzamento de duas ruas: carros chegam em momentos aleatórios nas duas, e batem se os das duas andam"
         [520, 330];
         fields {
-            across: Form::Part(&["light"]), "the light of the road that is drawn across" "o semáforo da rua desenhada na horizontal";
-            down: Form::Part(&["light"]), "the light of the road that is drawn down" "o semáforo da rua desenhada na vertical";
+            across: Form::Part(&["light"]), "the light of the road drawn horizontally" "o semáforo da rua desenhada na horizontal";
+            down: Form::Part(&["light"]), "the light of the road drawn vertically" "o semáforo da rua desenhada na vertical";
             every: Form::Number(Unit::Ms, 500, 600_000, 5000), "the time between cars on each" "o tempo entre os carros em cada uma";
             takes: Form::Number(Unit::Ms, 200, 60_000, 2000), "how long a car takes to cross" "quanto tempo um carro demora no cruzamento";
         }
         values {
-            waiting_across: number(Unit::Count, 0, 20), "how many cars are waiting on the road across" "quantos carros estão esperando na rua horizontal";
-            waiting_down: number(Unit::Count, 0, 20), "how many cars are waiting on the road down" "quantos carros estão esperando na rua vertical";
-            passes_across: FLAG, "whether a car of the road across is on the crossing" "se há um carro da rua horizontal no cruzamento";
-            passes_down: FLAG, "whether a car of the road down is on the crossing" "se há um carro da rua vertical no cruzamento";
-            passed_across: COUNT, "how many cars have passed across" "quantos carros passaram pela rua horizontal";
-            passed_down: COUNT, "how many cars have passed down" "quantos carros passaram pela rua vertical";
+            waiting_across: number(Unit::Count, 0, 20), "how many cars are waiting on the horizontal road" "quantos carros estão esperando na rua horizontal";
+            waiting_down: number(Unit::Count, 0, 20), "how many cars are waiting on the vertical road" "quantos carros estão esperando na rua vertical";
+            passes_across: FLAG, "whether a car of the horizontal road is on the crossing" "se há um carro da rua horizontal no cruzamento";
+            passes_down: FLAG, "whether a car of the vertical road is on the crossing" "se há um carro da rua vertical no cruzamento";
+            passed_across: COUNT, "how many cars have passed on the horizontal road" "quantos carros passaram pela rua horizontal";
+            passed_down: COUNT, "how many cars have passed on the vertical road" "quantos carros passaram pela rua vertical";
             crashed: DAMAGE, "whether two cars have crashed" "se dois carros bateram";
             hit: DAMAGE, "whether a car has hit somebody" "se um carro atingiu alguém";
-            on: Slot { count: 2, ..inner(0, 60_000) }, "how long the car of each road on the crossing still takes" "quanto tempo falta ao carro de cada rua no cruzamento";
+            on: Slot { count: 2, ..inner(0, 60_000) }, "how much longer the car of each road takes on the crossing" "quanto tempo falta ao carro de cada rua no cruzamento";
             next: Slot { count: 2, ..inner(0, 1_200_000) }, "the time until the next car of each road" "o tempo até o próximo carro de cada rua";
         }
         faults { }
@@ -172,7 +172,7 @@ pub(crate) mod walk {
         [120, 200];
         fields {
             light: Form::Part(&["light"]), "its light" "o semáforo dela";
-            over: Form::Part(&["road", "junction"]), "the road; of a junction the one that is drawn across" "a rua; de um cruzamento, a horizontal";
+            over: Form::Part(&["road", "junction"]), "the road; for a junction, the horizontal one" "a rua; de um cruzamento, a horizontal";
             button: Form::Sense, "the input of the button" "a entrada do botão";
             every: Form::Number(Unit::Ms, 1000, 600_000, 20_000), "the time between people" "o tempo entre as pessoas";
             takes: Form::Number(Unit::Ms, 500, 60_000, 5000), "how long it takes to cross" "quanto tempo a travessia demora";
@@ -261,10 +261,10 @@ pub(crate) mod lane {
             overfull: DAMAGE, "whether there are more cars inside than spaces" "se há mais carros dentro do que cabem";
             hit: DAMAGE, "whether the gate has come down on a car" "se a cancela desceu em um carro";
             entered: COUNT, "how many cars have come in" "quantos carros entraram";
-            on: inner(0, 60_000), "how long the car under the gate still takes" "quanto tempo falta ao carro debaixo da cancela";
+            on: inner(0, 60_000), "how much longer the car under the gate takes" "quanto tempo falta ao carro debaixo da cancela";
             next: inner(0, 1_200_000), "the time until the next car" "o tempo até o próximo carro";
-            out: inner(0, 1000), "how long the car at the way out is still seen" "quanto tempo o carro na saída ainda é visto";
-            rest: Slot { count: 20, ..inner(0, 7_200_000) }, "how long each car still stays" "quanto tempo cada carro ainda fica";
+            out: inner(0, 1000), "how much longer the car at the way out is seen" "quanto tempo o carro na saída ainda é visto";
+            rest: Slot { count: 20, ..inner(0, 7_200_000) }, "how much longer each car stays" "quanto tempo cada carro ainda fica";
         }
         faults { Stuck Open Short Bouncing }
     }
