@@ -142,7 +142,7 @@ impl<'a, 'x: 'a> Net<'a, 'x> {
         let name = match named(written) {
             name if name.is_empty() => {
                 let who = self.who("a step", "uma etapa", None);
-                tell(found, Code::XmlUnjoined, who, span(node), [NAMELESS.into()]);
+                tell(found, Code::XmlNameless, who, span(node), []);
                 format!("step_{}", self.steps.len())
             }
             name => name,
@@ -270,7 +270,6 @@ impl<'a, 'x: 'a> Net<'a, 'x> {
     }
 }
 
-const NAMELESS: (&str, &str) = ("has no name", "fica sem nome");
 const BEFORE: (&str, &str) = ("comes before it", "vem antes");
 const BEHIND: (&str, &str) = ("comes after it", "vem depois");
 

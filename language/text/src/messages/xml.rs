@@ -208,6 +208,11 @@ macro_rules! xml_rows {
         "wire another output"
         "{0}: `{1}` não tem a saída `{2}`"
         "ligue o fio a outra saída";
+    546 XmlNameless Error
+        "{0} has no name"
+        "give the step a name"
+        "{0} não tem nome"
+        "dê um nome à etapa";
         }
     };
 }
