@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, lamp, pick, run, select, still, type, unfold } from "./harness.mjs";
+import { Lab, PATIENCE, lamp, pick, run, select, still, type, unfold } from "./harness.mjs";
 import { Cable } from "./port.mjs";
 import { Served } from "./served.mjs";
 
@@ -61,7 +61,7 @@ async function noted(page, text) {
  * @param {import("playwright-core").Page} page @param {RegExp} words @param {() => Promise<void>} [ready] before each try */
 async function puts(page, words, ready) {
   let said = "";
-  for (let tries = 0; tries < 3 && !words.test(said); tries++) {
+  for (const until = Date.now() + PATIENCE; !words.test(said) && Date.now() < until;) {
     await ready?.();
     await pick(page, "#put-firmware");
     said = await noted(page, new RegExp(`FW-|${words.source}`));
