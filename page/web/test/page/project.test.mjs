@@ -38,6 +38,11 @@ async function open(page, unit) {
 /** The field of a variable. @param {Page} page @param {string} variable @param {string} field */
 const field = (page, variable, field) => page.locator(`tr[data-variable="${variable}"] [id$="-${field}"]`);
 
+/** Waits until it shows this. @param {Page} page @param {string} variable @param {string} what @param {string} text */
+const shows = (page, variable, what, text) => page.waitForFunction(
+  ([variable, what, text]) => /** @type {HTMLInputElement | null} */ (document.querySelector(`tr[data-variable="${variable}"] [id$="-${what}"]`))?.value === text,
+  /** @type {const} */ ([variable, what, text]));
+
 /** Writes into it. @param {Page} page @param {string} variable @param {string} what @param {string} text */
 async function write(page, variable, what, text) {
   await field(page, variable, what).fill(text);
@@ -59,7 +64,7 @@ test("the variables of a unit are edited in a table", async () => {
   await page.waitForFunction(() => document.querySelector('tr[data-variable="count"]') && /** @type {HTMLInputElement | null} */ (document.querySelector("#variable-new"))?.value === "");
   await write(page, "count", "kind", "int");
   await has(page, "<INT/>");
-  await page.waitForFunction(() => /** @type {HTMLInputElement | null} */ (document.querySelector('tr[data-variable="count"] [id$="-kind"]'))?.value === "INT");
+  await shows(page, "count", "kind", "INT");
   await write(page, "count", "first", "7");
   await has(page, '<simpleValue value="7"/>');
   // A text that was begun goes on where the table is made anew.
@@ -79,7 +84,7 @@ test("the variables of a unit are edited in a table", async () => {
   // A name that is none is told, and stands there no longer.
   await write(page, "halt", "name", "2 x");
   await page.locator("#notes", { hasText: "not a name" }).waitFor();
-  await page.waitForFunction(() => /** @type {HTMLInputElement | null} */ (document.querySelector('tr[data-variable="halt"] [id$="-name"]'))?.value === "halt");
+  await shows(page, "halt", "name", "halt");
   for (let acts = 0; acts < 9; acts++) await page.click("#project-undo");
   await page.locator("#project-undo:disabled").waitFor();
   assert.equal(await keptText(page), FIVE.toString());
@@ -181,7 +186,7 @@ test("a variable that is renamed in the table is so in the whole project", async
   for (const [name, told] of /** @type {const} */ ([["stop", /already used/], ["END_IF", /not a name|cannot be a name/]])) {
     await write(page, "begin_it", "name", name);
     await page.locator("#notes", { hasText: told }).waitFor();
-    await page.waitForFunction(() => /** @type {HTMLInputElement | null} */ (document.querySelector('tr[data-variable="begin_it"] [id$="-name"]'))?.value === "begin_it");
+    await shows(page, "begin_it", "name", "begin_it");
   }
   await page.click("#project-undo");
   await page.click("#project-undo");
