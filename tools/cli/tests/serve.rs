@@ -301,8 +301,7 @@ fn the_boards_of_a_site_are_served_each_by_its_name() {
         said.push(server.line());
     }
     said.sort();
-    let other =
-        "one: has a program other than lamp.st, so the names in that file do not apply; upload it";
+    let other = "one: has a program other than lamp.st, so the names in that file do not apply; upload the file";
     assert_eq!(said, ["one: found", other, "two: found"]);
     assert!(ask(&mut server.visitor_of("/two", ""), &stop(), |_| ()).is_some());
     assert_eq!(two.board().state, pty::STOP);
@@ -605,7 +604,10 @@ fn a_history_moves_to_a_database_and_goes_on_there() {
     assert!(server.child.wait().unwrap().success());
     let (code, said) = moving(&new);
     assert_eq!(code, Some(0), "{said}");
-    assert!(said.contains("/plant; start unoclp serve again"), "{said}");
+    assert!(
+        said.contains("/plant (points: 17, rows: 17); start unoclp serve again"),
+        "{said}"
+    );
     let count = || {
         database.psql(
             "plant",
@@ -782,7 +784,7 @@ fn a_teachers_folder_stands_in_the_page() {
     let mut line = || told.next().unwrap().unwrap();
     assert!(line().contains("broken.toml:"));
     assert!(line().contains("gone.toml cannot be read"));
-    assert!(line().ends_with("adds to the page: exercises 2, machines 1"));
+    assert!(line().ends_with("adds exercises (2) and machines (1)"));
 
     let page = http(&server.address, "/exercises.json");
     let place = |what: &str| {

@@ -14,16 +14,16 @@ const FRESH: Duration = Duration::from_millis(50);
 const AGAIN: Duration = Duration::from_secs(1);
 /// The longest time for which it is not looked for where others are at its line, who wait meanwhile: it doubles up to this.
 const RARELY: Duration = Duration::from_secs(32);
-/// So many requests without an answer, one after another, and a board among others counts as away.
+/// So many requests without an answer, one after another, and a board counts as away.
 const SILENT: u32 = 3;
 
 /// The line to a board, or to several, as whoever has its port lends it.
 pub trait Board: Send {
-    /// Finds the board of this address; opens the line for it unless `others` are there.
+    /// Finds the board of this address. A line that is open stays so, because opening it could reset the board.
     ///
     /// # Errors
     /// Why it is not there, for people.
-    fn find(&mut self, address: u8, others: bool) -> Result<(), String>;
+    fn find(&mut self, address: u8) -> Result<(), String>;
 
     /// Sends a request, and gives the whole frame that answers it.
     ///
@@ -130,7 +130,7 @@ impl<B: Board> Owner<B> {
             return;
         };
         let others = self.seats.iter().any(|seat| seat.away.is_none());
-        let found = self.board.find(self.seats[index].address, others);
+        let found = self.board.find(self.seats[index].address);
         let seat = &mut self.seats[index];
         if found.is_ok() {
             (seat.away, seat.pause, seat.silent) = (None, AGAIN, 0);
@@ -176,14 +176,13 @@ impl<B: Board> Owner<B> {
         }
     }
 
-    /// This board has answered, or not. One that stays silent would keep the others of its line waiting.
+    /// This board has answered, or not. One that stays silent is away; it would keep the others of its line waiting.
     fn hear(&mut self, address: u8, answers: bool) {
-        let shares = self.seats.len() > 1;
         let Some(seat) = self.seats.iter_mut().find(|seat| seat.address == address) else {
             return;
         };
         seat.silent = if answers { 0 } else { seat.silent + 1 };
-        if shares && seat.silent >= SILENT {
+        if seat.silent >= SILENT {
             // Why, it tells once it is looked for.
             seat.away = Some(Instant::now());
         }

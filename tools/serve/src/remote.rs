@@ -138,10 +138,7 @@ impl Remote {
 }
 
 impl Board for Remote {
-    fn find(&mut self, address: u8, others: bool) -> Result<(), String> {
-        if !others {
-            self.stream = None;
-        }
+    fn find(&mut self, address: u8) -> Result<(), String> {
         self.seek(address)
             .map_err(|why| (self.told)(&self.server, why))
     }

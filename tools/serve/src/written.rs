@@ -1,4 +1,4 @@
-//! What a request with a check sum writes, and who may.
+//! What a request with a checksum writes, and who may.
 
 use std::ops::Range;
 use unoclp_modbus::client::Request;

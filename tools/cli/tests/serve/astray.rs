@@ -15,6 +15,16 @@ fn metric(server: &Server, name: &str) -> String {
     line.unwrap_or_default().trim().to_owned()
 }
 
+/// A gateway of the board at this port alone, with a history that begins.
+fn alone(name: &str, port: &str) -> Server {
+    let lines = format!(
+        "[history]\nstore = \"{name}.db\"\n[[line]]\nport = {port:?}\n[[line.board]]\nname = \"one\"\nevery = \"20ms\"\n"
+    );
+    let file = site(name, &lines);
+    forget(&file);
+    Server::of(&mut unoclp_site(&file))
+}
+
 const UP: &str = "unoclp_board_up{board=\"one\"}";
 
 #[test]
@@ -22,21 +32,18 @@ fn a_port_that_another_program_has_is_told_and_taken_once_it_is_free() {
     let fake = Fake::new(Board::default());
     fake.board().outputs = 5;
     let monitor = serialport::new(fake.path(), 9600).open().unwrap();
-    let lines = format!(
-        "[history]\nstore = \"busy.db\"\n[[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"20ms\"\n",
-        fake.path()
-    );
-    let file = site("busy", &lines);
-    forget(&file);
-    let mut server = Server::of(&mut unoclp_site(&file));
+    let mut server = alone("busy", fake.path());
     let busy = format!(
-        "one: not reachable: another program is using {}; close its serial monitor",
+        "one: not reachable: another program, such as a serial monitor, is using {}; close it",
         fake.path()
     );
     while !server.line().starts_with(&*busy) {}
     assert_eq!(metric(&server, UP), "0");
     let boards = http(&server.address, "/api/boards");
-    assert!(boards.contains("another program is using"), "{boards}");
+    assert!(
+        boards.contains("another program, such as a serial monitor, is using"),
+        "{boards}"
+    );
     drop(monitor);
     while server.line() != "one: found" {}
     while metric(&server, UP) != "1" {}
@@ -97,6 +104,28 @@ fn a_board_that_is_unplugged_has_a_gap_in_its_history_and_goes_on_after_it() {
     };
     while values(&csv()).len() < 3 {}
     assert_eq!(values(&csv()), ["1", "", "1"]);
+}
+
+#[test]
+fn a_board_alone_on_its_line_that_stops_answering_is_away_until_it_answers() {
+    let is_silent = Arc::new(AtomicBool::new(false));
+    let silent = is_silent.clone();
+    let fake = Fake::with(Board::default(), move |_, _| {
+        match silent.load(Ordering::Relaxed) {
+            true => Fate::Lost,
+            false => Fate::Answered,
+        }
+    });
+    let mut server = alone("silent", fake.path());
+    while server.line() != "one: found" {}
+    is_silent.store(true, Ordering::Relaxed);
+    let why = server.line();
+    let told = why.starts_with("one: not reachable: ");
+    assert!(told, "{why}");
+    assert_eq!(metric(&server, UP), "0");
+    is_silent.store(false, Ordering::Relaxed);
+    while server.line() != "one: found" {}
+    while metric(&server, UP) != "1" {}
 }
 
 /// Debian's libfaketime, which gives a program the clock that a file says.

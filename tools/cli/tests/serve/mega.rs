@@ -121,7 +121,7 @@ fn an_uno_keeps_its_program_where_one_for_a_mega_is_sent_and_a_mega_takes_both()
     for (lang, has, lacks) in [
         (
             "C",
-            "the board Mega has",
+            "the Mega has",
             "the UNO at the port lacks something that the program needs; nothing was sent",
         ),
         (
@@ -163,15 +163,15 @@ fn a_board_of_a_site_that_has_fewer_points_than_its_kind_is_told() {
     for (lang, begins, lacks, remedy) in [
         (
             "C",
-            "far: not reachable: the board says that it is unoclp UNO ",
+            "far: not reachable: the board identifies itself as unoclp UNO ",
             ", which has fewer points than a Mega; ",
-            "change `kind` in the site file, or the board",
+            "change the board, or `kind` in the site file",
         ),
         (
             "pt_BR.UTF-8",
-            "far: fora do ar: quem responde é unoclp UNO ",
-            ", com menos pontos que um Mega; ",
-            "mude `kind` no arquivo de instalação, ou a placa",
+            "far: fora do ar: a placa se identifica como unoclp UNO ",
+            ", que tem menos pontos que um Mega; ",
+            "mude a placa, ou `kind` no arquivo de instalação",
         ),
     ] {
         let mut server = Server::of(unoclp_site(&file).env("LC_ALL", lang));

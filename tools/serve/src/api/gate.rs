@@ -128,7 +128,7 @@ impl Api {
         head(
             &mut text,
             "point",
-            "What a point of a board was when it was last read",
+            "The last value read from a point of a board",
             false,
         );
         for gateway in &*self.gateways {
@@ -173,7 +173,7 @@ impl Api {
         );
         tell(
             "alarm_unacknowledged",
-            "Whether somebody should acknowledge an alarm",
+            "Whether an alarm waits to be acknowledged",
             unoclp_alarm::State::waits,
         );
     }

@@ -82,7 +82,7 @@ async fn health(State(api): State<Api>) -> Response<Body> {
     json(Ok(api.health()))
 }
 
-#[utoipa::path(get, path = "/api/boards", responses((status = 200, description = "Each board, and what its points are", body = Vec<BoardNow>)))]
+#[utoipa::path(get, path = "/api/boards", responses((status = 200, description = "Each board, and the values of its points", body = Vec<BoardNow>)))]
 async fn boards(State(api): State<Api>) -> Response<Body> {
     json(Ok(api.boards()))
 }
@@ -108,14 +108,14 @@ async fn points(State(api): State<Api>) -> Response<Body> {
 #[utoipa::path(get, path = "/api/history", params(
     ("board" = String, Query, description = "The board"),
     ("point" = String, Query, description = "The point"),
-    ("from" = Option<i64>, Query, description = "From this moment on, ms since 1970"),
-    ("to" = Option<i64>, Query, description = "Until before this moment, ms since 1970"),
-    ("last" = Option<String>, Query, description = "In place of `from`: how far back, 90s, 15m, 1h, 30d; 1h without both"),
-    ("step" = Option<String>, Query, description = "One row for each interval of this length; without it, each change"),
-    ("most" = Option<u32>, Query, description = "At most so many rows, 1 to 100000; 10000 without it")),
+    ("from" = Option<i64>, Query, description = "From this time on, in ms since 1970"),
+    ("to" = Option<i64>, Query, description = "Up to this time, not included, in ms since 1970"),
+    ("last" = Option<String>, Query, description = "Instead of `from`: how far back, such as 90s, 15m, 1h or 30d; the default is 1h"),
+    ("step" = Option<String>, Query, description = "One row for each interval of this length; by default, one row for each change"),
+    ("most" = Option<u32>, Query, description = "The maximum number of rows, 1 to 100000; the default is 10000")),
     responses(
-    (status = 200, description = "What the point was", body = PastOf),
-    (status = 400, description = "What is asked makes no sense", body = Wrong),
+    (status = 200, description = "The values of the point", body = PastOf),
+    (status = 400, description = "The request is not valid", body = Wrong),
     (status = 404, description = "The history has no such point", body = Wrong),
     (status = 503, description = "The history cannot be read now", body = Wrong)))]
 async fn history(
@@ -128,14 +128,14 @@ async fn history(
 #[utoipa::path(get, path = "/api/history.csv", params(
     ("board" = String, Query, description = "The board"),
     ("point" = String, Query, description = "The point"),
-    ("from" = Option<i64>, Query, description = "From this moment on, ms since 1970"),
-    ("to" = Option<i64>, Query, description = "Until before this moment, ms since 1970"),
-    ("last" = Option<String>, Query, description = "In place of `from`: how far back, 90s, 15m, 1h, 30d; 1h without both"),
-    ("step" = Option<String>, Query, description = "One row for each interval of this length; without it, each change"),
-    ("most" = Option<u32>, Query, description = "At most so many rows, 1 to 100000; 10000 without it")),
+    ("from" = Option<i64>, Query, description = "From this time on, in ms since 1970"),
+    ("to" = Option<i64>, Query, description = "Up to this time, not included, in ms since 1970"),
+    ("last" = Option<String>, Query, description = "Instead of `from`: how far back, such as 90s, 15m, 1h or 30d; the default is 1h"),
+    ("step" = Option<String>, Query, description = "One row for each interval of this length; by default, one row for each change"),
+    ("most" = Option<u32>, Query, description = "The maximum number of rows, 1 to 100000; the default is 10000")),
     responses(
-    (status = 200, description = "The same as comma-separated values, to be kept as a file", content_type = "text/csv"),
-    (status = 400, description = "What is asked makes no sense", body = Wrong),
+    (status = 200, description = "The same as comma-separated values, to save as a file", content_type = "text/csv"),
+    (status = 400, description = "The request is not valid", body = Wrong),
     (status = 404, description = "The history has no such point", body = Wrong),
     (status = 503, description = "The history cannot be read now", body = Wrong)))]
 async fn history_csv(
@@ -164,20 +164,20 @@ async fn past(api: &Api, asked: Result<Query<Asked>, QueryRejection>) -> Result<
     api.archive.rows(asked).await
 }
 
-#[utoipa::path(get, path = "/api/alarms", responses((status = 200, description = "How each alarm stands", body = Vec<AlarmNow>)))]
+#[utoipa::path(get, path = "/api/alarms", responses((status = 200, description = "The state of each alarm", body = Vec<AlarmNow>)))]
 async fn alarms(State(api): State<Api>) -> Response<Body> {
     json(Ok(api.alarms_now()))
 }
 
 #[utoipa::path(get, path = "/api/alarms/history", params(
-    ("from" = Option<i64>, Query, description = "From this moment on, ms since 1970"),
-    ("to" = Option<i64>, Query, description = "Until before this moment, ms since 1970"),
-    ("last" = Option<String>, Query, description = "In place of `from`: how far back, 90s, 15m, 1h, 30d; all without both"),
-    ("most" = Option<u32>, Query, description = "The latest of so many rows, 1 to 100000; 10000 without it")),
+    ("from" = Option<i64>, Query, description = "From this time on, in ms since 1970"),
+    ("to" = Option<i64>, Query, description = "Up to this time, not included, in ms since 1970"),
+    ("last" = Option<String>, Query, description = "Instead of `from`: how far back, such as 90s, 15m, 1h or 30d; by default, everything"),
+    ("most" = Option<u32>, Query, description = "The number of latest rows, 1 to 100000; the default is 10000")),
     responses(
-    (status = 200, description = "What became of alarms", body = Vec<AlarmPast>),
-    (status = 400, description = "What is asked makes no sense", body = Wrong),
-    (status = 404, description = "The site records nothing of it", body = Wrong),
+    (status = 200, description = "The history of the alarms", body = Vec<AlarmPast>),
+    (status = 400, description = "The request is not valid", body = Wrong),
+    (status = 404, description = "The site keeps no record", body = Wrong),
     (status = 503, description = "The record cannot be read now", body = Wrong)))]
 async fn alarms_past(
     State(api): State<Api>,
@@ -188,14 +188,14 @@ async fn alarms_past(
 }
 
 #[utoipa::path(get, path = "/api/alarms/history.csv", params(
-    ("from" = Option<i64>, Query, description = "From this moment on, ms since 1970"),
-    ("to" = Option<i64>, Query, description = "Until before this moment, ms since 1970"),
-    ("last" = Option<String>, Query, description = "In place of `from`: how far back, 90s, 15m, 1h, 30d; all without both"),
-    ("most" = Option<u32>, Query, description = "The latest of so many rows, 1 to 100000; 10000 without it")),
+    ("from" = Option<i64>, Query, description = "From this time on, in ms since 1970"),
+    ("to" = Option<i64>, Query, description = "Up to this time, not included, in ms since 1970"),
+    ("last" = Option<String>, Query, description = "Instead of `from`: how far back, such as 90s, 15m, 1h or 30d; by default, everything"),
+    ("most" = Option<u32>, Query, description = "The number of latest rows, 1 to 100000; the default is 10000")),
     responses(
     (status = 200, description = "The same as comma-separated values", content_type = "text/csv"),
-    (status = 400, description = "What is asked makes no sense", body = Wrong),
-    (status = 404, description = "The site records nothing of it", body = Wrong),
+    (status = 400, description = "The request is not valid", body = Wrong),
+    (status = 404, description = "The site keeps no record", body = Wrong),
     (status = 503, description = "The record cannot be read now", body = Wrong)))]
 async fn alarms_csv(
     State(api): State<Api>,
@@ -210,12 +210,12 @@ async fn alarms_csv(
 #[utoipa::path(post, path = "/api/alarms/acknowledge",
     request_body(content = String, content_type = "application/json", description = "{\"alarm\": NAME}"),
     responses(
-    (status = 200, description = "It is acknowledged, and how it stands", body = Done),
-    (status = 400, description = "This names no alarm", body = Wrong),
+    (status = 200, description = "The alarm is acknowledged; the answer has its state", body = Done),
+    (status = 400, description = "The request names no alarm", body = Wrong),
     (status = 403, description = "This needs the role operate", body = Wrong),
     (status = 404, description = "There is no such alarm", body = Wrong),
     (status = 409, description = "There is nothing to acknowledge", body = Wrong),
-    (status = 503, description = "Alarms are not judged now", body = Wrong)))]
+    (status = 503, description = "Alarms are not evaluated at present", body = Wrong)))]
 async fn acknowledge(
     State(api): State<Api>,
     Extension(who): Extension<Who>,
@@ -231,14 +231,14 @@ async fn acknowledge(
 }
 
 #[utoipa::path(get, path = "/api/deeds", params(
-    ("from" = Option<i64>, Query, description = "From this moment on, ms since 1970"),
-    ("to" = Option<i64>, Query, description = "Until before this moment, ms since 1970"),
-    ("last" = Option<String>, Query, description = "In place of `from`: how far back, 90s, 15m, 1h, 30d; all without both"),
-    ("most" = Option<u32>, Query, description = "The latest of so many rows, 1 to 100000; 10000 without it")),
+    ("from" = Option<i64>, Query, description = "From this time on, in ms since 1970"),
+    ("to" = Option<i64>, Query, description = "Up to this time, not included, in ms since 1970"),
+    ("last" = Option<String>, Query, description = "Instead of `from`: how far back, such as 90s, 15m, 1h or 30d; by default, everything"),
+    ("most" = Option<u32>, Query, description = "The number of latest rows, 1 to 100000; the default is 10000")),
     responses(
     (status = 200, description = "Who did what", body = Vec<DeedOf>),
-    (status = 400, description = "What is asked makes no sense", body = Wrong),
-    (status = 404, description = "The site records nothing of it", body = Wrong),
+    (status = 400, description = "The request is not valid", body = Wrong),
+    (status = 404, description = "The site keeps no record", body = Wrong),
     (status = 503, description = "The record cannot be read now", body = Wrong)))]
 async fn deeds(
     State(api): State<Api>,
@@ -249,14 +249,14 @@ async fn deeds(
 }
 
 #[utoipa::path(get, path = "/api/deeds.csv", params(
-    ("from" = Option<i64>, Query, description = "From this moment on, ms since 1970"),
-    ("to" = Option<i64>, Query, description = "Until before this moment, ms since 1970"),
-    ("last" = Option<String>, Query, description = "In place of `from`: how far back, 90s, 15m, 1h, 30d; all without both"),
-    ("most" = Option<u32>, Query, description = "The latest of so many rows, 1 to 100000; 10000 without it")),
+    ("from" = Option<i64>, Query, description = "From this time on, in ms since 1970"),
+    ("to" = Option<i64>, Query, description = "Up to this time, not included, in ms since 1970"),
+    ("last" = Option<String>, Query, description = "Instead of `from`: how far back, such as 90s, 15m, 1h or 30d; by default, everything"),
+    ("most" = Option<u32>, Query, description = "The number of latest rows, 1 to 100000; the default is 10000")),
     responses(
     (status = 200, description = "The same as comma-separated values", content_type = "text/csv"),
-    (status = 400, description = "What is asked makes no sense", body = Wrong),
-    (status = 404, description = "The site records nothing of it", body = Wrong),
+    (status = 400, description = "The request is not valid", body = Wrong),
+    (status = 404, description = "The site keeps no record", body = Wrong),
     (status = 503, description = "The record cannot be read now", body = Wrong)))]
 async fn deeds_csv(
     State(api): State<Api>,
@@ -268,7 +268,7 @@ async fn deeds_csv(
     }
 }
 
-#[utoipa::path(get, path = "/api/who", responses((status = 200, description = "Who asks, and what this one may do", body = Asker)))]
+#[utoipa::path(get, path = "/api/who", responses((status = 200, description = "The user who sends the request, and this user's rights", body = Asker)))]
 async fn asker(Extension(who): Extension<Who>) -> Response<Body> {
     json(Ok(Asker {
         name: who.name.to_string(),
@@ -289,12 +289,12 @@ async fn panels(State(api): State<Api>) -> Response<Body> {
 #[utoipa::path(post, path = "/api/write",
     request_body(content = String, content_type = "application/json", description = "{\"board\": NAME, \"point\": NAME, \"value\": NUMBER}; with \"hold\": \"begin\", the gateway writes 0 unless it hears \"hold\": \"still\" every 3 s"),
     responses(
-    (status = 200, description = "The board has taken it", body = Taken),
-    (status = 400, description = "This is no value for this point", body = Wrong),
+    (status = 200, description = "The board has accepted the value", body = Taken),
+    (status = 400, description = "The value is not valid for this point", body = Wrong),
     (status = 403, description = "This needs the role operate", body = Wrong),
     (status = 404, description = "No panel allows writing to this point", body = Wrong),
-    (status = 409, description = "Somebody controls the board, it keeps another program, or the button is not held any more", body = Wrong),
-    (status = 503, description = "The board is away", body = Wrong)))]
+    (status = 409, description = "Somebody else controls the board, it has another program, or the button is no longer held", body = Wrong),
+    (status = 503, description = "The board does not answer", body = Wrong)))]
 async fn write(
     State(api): State<Api>,
     Extension(who): Extension<Who>,

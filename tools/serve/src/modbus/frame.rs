@@ -1,6 +1,6 @@
 //! Frames of Modbus TCP (*MODBUS Messaging on TCP/IP*, section 3.1.3), and the same as a board takes them.
 //!
-//! Owns heads, lengths and check sums. Must not know what a request asks.
+//! Owns heads, lengths and checksums. Must not know what a request asks.
 
 use unoclp_modbus::client::Request;
 use unoclp_modbus::{Crc, Exception};
@@ -64,13 +64,13 @@ pub(crate) fn to_board(address: u8, request: &[u8]) -> Option<Request> {
     Request::forwarded(&of_board(address, request))
 }
 
-/// A board's answer, or a request to one, without address and check sum.
+/// A board's answer, or a request to one, without address and checksum.
 pub(crate) fn from_board(reply: &[u8]) -> Vec<u8> {
     let body = reply.len().checked_sub(2).and_then(|end| reply.get(1..end));
     body.unwrap_or_default().to_vec()
 }
 
-/// An answer of the board at this address, or a request to it, with address and check sum.
+/// An answer of the board at this address, or a request to it, with address and checksum.
 pub(crate) fn of_board(address: u8, answer: &[u8]) -> Vec<u8> {
     let mut reply = vec![address];
     reply.extend(answer);

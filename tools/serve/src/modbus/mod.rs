@@ -113,7 +113,7 @@ impl Units {
         }
     }
 
-    /// The answer to a request, both without unit and check sum.
+    /// The answer to a request, both without unit and checksum.
     async fn answer(&self, from: IpAddr, unit: u8, request: &[u8]) -> Vec<u8> {
         let board = self.units.iter().find(|(of, _)| *of == unit);
         let address = board.map_or(unit, |(_, gateway)| gateway.line.address());

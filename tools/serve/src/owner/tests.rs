@@ -10,7 +10,7 @@ use unoclp_modbus::Table;
 struct Counter(u8);
 
 impl Board for Counter {
-    fn find(&mut self, _: u8, _: bool) -> Result<(), String> {
+    fn find(&mut self, _: u8) -> Result<(), String> {
         Ok(())
     }
 
@@ -55,7 +55,7 @@ struct Gate {
 }
 
 impl Board for Gate {
-    fn find(&mut self, _: u8, _: bool) -> Result<(), String> {
+    fn find(&mut self, _: u8) -> Result<(), String> {
         Ok(())
     }
 
@@ -106,7 +106,7 @@ async fn at_most_one_reading_goes_before_a_write_whoever_watches() {
 struct Two(Arc<AtomicBool>);
 
 impl Board for Two {
-    fn find(&mut self, address: u8, _: bool) -> Result<(), String> {
+    fn find(&mut self, address: u8) -> Result<(), String> {
         match address == 1 || self.0.load(Ordering::Relaxed) {
             true => Ok(()),
             false => Err("silent".into()),
@@ -145,6 +145,23 @@ async fn a_board_that_stays_silent_is_away_and_the_others_of_its_line_are_not() 
     // It is looked for, and found again.
     answers.store(true, Ordering::Relaxed);
     presence[1].wait_for(Result::is_ok).await.unwrap();
+}
+
+#[tokio::test]
+async fn a_board_alone_on_its_line_that_stays_silent_is_away_too() {
+    let answers = Arc::new(AtomicBool::new(true));
+    let lines = Line::begin_shared(Two(answers.clone()), &[2]);
+    let mut presence = lines[0].presence();
+    presence.wait_for(Result::is_ok).await.unwrap();
+    answers.store(false, Ordering::Relaxed);
+    for _ in 0..SILENT {
+        let request = Request::read(2, Table::Coils, 0, 4);
+        let answer = lines[0].ask(request, Role::Watch).await;
+        assert_eq!(answer[2], Exception::GatewayTargetSilent as u8);
+    }
+    presence.wait_for(Result::is_err).await.unwrap();
+    answers.store(true, Ordering::Relaxed);
+    presence.wait_for(Result::is_ok).await.unwrap();
 }
 
 #[test]
