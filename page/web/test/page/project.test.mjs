@@ -160,6 +160,36 @@ test("it is saved, opened and run", async () => {
   await page.context().close();
 });
 
+test("it is stepped through: a scan goes from the step to its transition and its actions, and on to a breakpoint", async () => {
+  const page = await begun();
+  const part = (/** @type {string} */ id, says = "") => page.locator(`#project-body [data-id="${id}"]${says}`);
+  const stands = (/** @type {RegExp} */ says) => page.locator("#slow-state", { hasText: says }).waitFor();
+  await run(page);
+  await part("s0", ".active").waitFor();
+  await pick(page, "#slow-motion");
+  await part("s0", ".slow-here").waitFor();
+  await page.click("#slow-end");
+  await stands(/The scan is over/);
+  // It stands at a part for each of its codes: as many keys as that takes.
+  for (const id of ["s0", "t0", "a0.0"]) {
+    while (await part(id, ".slow-here").count() === 0) {
+      await page.click("#slow-rung");
+      await page.locator('#slow-state[aria-busy="false"]').waitFor();
+    }
+  }
+  await part("t1").click();
+  await page.keyboard.press("F9");
+  await part("t1", ".slow-stop").waitFor();
+  await page.keyboard.press("F4");
+  await part("t1", ".slow-here").waitFor();
+  await clean(page, "a project in slow motion");
+  await page.click("#slow-close");
+  await page.locator("#slow").waitFor({ state: "hidden" });
+  await page.click('[data-input="1"]', { modifiers: ["Shift"] });
+  await part("s1", ".active").waitFor();
+  await page.context().close();
+});
+
 test("a plain file becomes a project", async () => {
   const page = await lab.open();
   await page.click("#view-draw");

@@ -240,6 +240,7 @@ export class SlowMotion {
     markText(this.editor.view, { here: line, stops: this.stops.map((stop) => stop.line) });
     if (!held) return;
     this.state.textContent = this.saying(now, line);
+    this.state.ariaBusy = String(!now);
     this.breaks.hidden = this.stops.length === 0;
     this.breaks.replaceChildren(h("b", {}, say("slowBreaks")), ...this.stops.map((stop) =>
       h("button", { type: "button", "data-step": stop.step, "aria-label": taken(stop), title: taken(stop), click: () => this.turn(stop) },
