@@ -21,14 +21,14 @@ macro_rules! row {
 }
 
 row! { EXPECTED 1
-"{0} stands where {1} is expected" "write `lamp is output 1` or `lamp when start and not stop`"
-"{0} está onde se espera {1}" "escreva `lamp is output 1` ou `lamp when start and not stop`" }
+"{0} was found, but {1} is expected here" "write `lamp is output 1` or `lamp when start and not stop`"
+"{0} apareceu aqui, mas o esperado é {1}" "escreva `lamp is output 1` ou `lamp when start and not stop`" }
 row! { NOT_DECLARED 2
-"nothing says what `{0}` is" "{1}"
-"nada diz o que `{0}` é" "{1}" }
+"`{0}` is not defined" "{1}"
+"`{0}` não foi definido" "{1}" }
 row! { TOO_DEEP 3
-"this line is too long or nests too deeply" "write a part of it as a rule of its own"
-"esta linha é longa ou profunda demais" "escreva uma parte dela como uma regra própria" }
+"this line is too long or too deeply nested" "write part of the line as a separate rule"
+"esta linha é longa demais ou tem aninhamento demais" "escreva parte da linha como uma regra separada" }
 row! { TOO_LONG 4
-"{0} is longer than a timer can wait" "the longest time is 2147483647 ms"
-"{0} é mais do que um temporizador pode esperar" "o maior tempo é 2147483647 ms" }
+"{0} is too long for a timer" "the longest time is 2147483647 ms"
+"{0} é longo demais para um temporizador" "o maior tempo é 2147483647 ms" }

@@ -244,10 +244,13 @@ impl Reader<'_, '_> {
         self.asked += 1;
         let names = self.names.iter().copied();
         match nearest(written, names.filter(|_| self.asked <= MOST_NEAR)) {
-            Some(near) => both(format!("is it `{near}`?"), format!("seria `{near}`?")),
+            Some(near) => both(
+                format!("did you mean `{near}`?"),
+                format!("você quis dizer `{near}`?"),
+            ),
             None => both(
-                format!("say so before: `{written} is input 1`"),
-                format!("diga antes: `{written} is input 1`"),
+                format!("define it first: `{written} is input 1`"),
+                format!("defina-o antes: `{written} is input 1`"),
             ),
         }
     }

@@ -64,7 +64,7 @@ fn listed(
     text
 }
 
-/// What stands above a rung: `Rung 3, lines 27 to 31 (Motor): Turning, or running out`, with the unit that it comes from,
+/// What stands above a rung: `Rung 3, lines 27 to 31 (Motor): Turning, or coasting`, with the unit that it comes from,
 /// and the lines in others, `(Motor 9-12)`, as many lines as that takes; then its labels.
 pub(crate) fn heading(
     (ladder, limit): (&Ladder, usize),

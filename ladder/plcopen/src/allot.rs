@@ -72,8 +72,8 @@ pub(crate) fn allot(
     let first = initial.and_then(number);
     if let (Some(written), None) = (initial, first) {
         let what = (
-            "number, time or truth",
-            "um número, um tempo ou TRUE ou FALSE",
+            "number, time, TRUE or FALSE",
+            "um número, um tempo, TRUE ou FALSE",
         );
         found.tell_at(
             Code::XmlValue,

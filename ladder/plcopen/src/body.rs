@@ -150,19 +150,15 @@ fn write(
 pub(crate) fn refuse(pou: &Pou<'_, '_>, language: &str, found: &mut Found) {
     let (what, help): (Word, Word) = match language {
         "?" => (
-            ("missing", "vazio").into(),
-            (
-                "draw or write what it does",
-                "desenhe ou escreva o que ele faz",
-            )
-                .into(),
+            ("empty", "vazio").into(),
+            ("draw or write its body", "desenhe ou escreva o corpo dele").into(),
         ),
         "" => (
             ("on several sheets", "dividido em várias folhas").into(),
             ("put it on one sheet", "ponha-o em uma folha só").into(),
         ),
         other => (
-            other.into(),
+            Word::Both(format!("in {other}"), format!("em {other}")),
             (
                 "write it in ST, or draw it in LD",
                 "escreva-o em ST, ou desenhe-o em LD",

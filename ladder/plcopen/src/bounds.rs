@@ -133,5 +133,5 @@ fn namespaces() -> Word {
 
 fn nesting() -> Word {
     let en = format!("more than {DEPTH} nested elements");
-    (en, format!("mais de {DEPTH} elementos um dentro do outro")).into()
+    (en, format!("mais de {DEPTH} elementos aninhados")).into()
 }

@@ -12,12 +12,12 @@ pub(crate) fn reason(error: &Error) -> Word {
     match error {
         Error::NoRootNode => both("it has no element", "ele não tem nenhum elemento"),
         Error::UnclosedRootNode | Error::UnexpectedEndOfStream => both(
-            "it ends before its last element does",
-            "ele acaba antes do seu último elemento",
+            "it ends before its last element is closed",
+            "ele termina antes de o último elemento ser fechado",
         ),
         Error::DtdDetected => both(
-            "a document type (`<!DOCTYPE`), which may contain entities, is not allowed",
-            "um tipo de documento (`<!DOCTYPE`), que pode ter entidades, não é permitido",
+            "`<!DOCTYPE`, which may contain entities, is not allowed",
+            "`<!DOCTYPE`, que pode ter entidades, não é permitido",
         ),
         Error::UnexpectedCloseTag(expected, actual, _) => Word::from((
             format!("`</{actual}>` is where `</{expected}>` should be"),
@@ -29,11 +29,11 @@ pub(crate) fn reason(error: &Error) -> Word {
             &format!("&{name};"),
         ),
         Error::MalformedEntityReference(_) => both(
-            "a bare `&`, which XML spells `&amp;`",
+            "a bare `&`, which XML writes as `&amp;`",
             "um `&` solto, que em XML se escreve `&amp;`",
         ),
         Error::InvalidAttributeValue(_) => both(
-            "a bare `<` in an attribute, which XML spells `&lt;`",
+            "a bare `<` in an attribute, which XML writes as `&lt;`",
             "um `<` solto em um atributo, que em XML se escreve `&lt;`",
         ),
         Error::DuplicatedAttribute(name, _) => named(
@@ -53,25 +53,25 @@ pub(crate) fn reason(error: &Error) -> Word {
         | Error::UnexpectedXmlUri(_)
         | Error::UnexpectedXmlnsUri(_)
         | Error::InvalidElementNamePrefix(_) => both(
-            "a namespace of XML itself is declared or used in another way",
-            "um espaço de nomes do próprio XML é declarado ou usado de outra forma",
+            "a reserved XML namespace is declared or used incorrectly",
+            "um espaço de nomes reservado do XML está declarado ou usado incorretamente",
         ),
         Error::UnexpectedDeclaration(_) => both(
             "`<?xml` may appear only at the very beginning",
             "`<?xml` só pode estar bem no início",
         ),
         Error::NonXmlChar(sign, _) => named(
-            "XML has no character",
-            "XML não tem o caractere",
+            "XML does not allow the character",
+            "o XML não permite o caractere",
             &format!("U+{:04X}", u32::from(*sign)),
         ),
         Error::InvalidComment(_) => both("a comment contains `--`", "um comentário tem `--`"),
         Error::InvalidCharacterData(_) => {
-            both("`]]>` appears outside of CDATA", "`]]>` está fora de CDATA")
+            both("`]]>` appears outside CDATA", "`]]>` está fora de CDATA")
         }
         Error::InvalidName(_) => both(
             "a name that XML does not allow",
-            "um nome que XML não permite",
+            "um nome que o XML não permite",
         ),
         Error::InvalidChar(expected, ..) => due(&char::from(*expected).to_string()),
         Error::InvalidChar2(expected, ..) | Error::InvalidString(expected, _) => due(expected),

@@ -8,7 +8,7 @@ use crate::scope::Scope;
 use crate::symbol::{Meaning, Symbol};
 use crate::ways::{Walk, Ways};
 use crate::xml::says;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use unoclp_core::isa::Opcode;
 use unoclp_draw::edit::Step;
 use unoclp_lang::{Code, Word};
@@ -41,6 +41,8 @@ pub(crate) struct Flow<'f, 'a, 'x> {
     pub labels: HashMap<String, u8>,
     /// The label after the program, where others follow.
     pub end: Option<u8>,
+    /// Coils that lead on, but run in their own turn.
+    pub apart: HashSet<usize>,
     pub walk: Walk<'a>,
 }
 
@@ -63,6 +65,7 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
             calls: HashMap::new(),
             labels: HashMap::new(),
             end: None,
+            apart: HashSet::new(),
             walk: Walk::default(),
         }
     }
@@ -71,6 +74,7 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
     pub(crate) fn output(&mut self, element: usize) -> Option<Circuit> {
         let drawn = &self.network.elements[element];
         match drawn.kind {
+            "coil" if self.apart.contains(&element) => self.ending(element),
             "coil" | "contact" => self.source(Wire {
                 from: element,
                 output: "",
@@ -83,6 +87,12 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
             }
             _ => self.called_block(element),
         }
+    }
+
+    /// The circuit that ends in this coil.
+    fn ending(&mut self, at: usize) -> Option<Circuit> {
+        let circuit = self.power(at, "")?;
+        self.coil(at, circuit, edge(self.network.elements[at].node))
     }
 
     /// The jump or the return of this element; after a program that others follow, a return is a jump.
@@ -197,8 +207,10 @@ impl<'f, 'a, 'x: 'a> Ways<'f, 'a, 'x> for Flow<'f, 'a, 'x> {
     }
 
     fn at_coil(&mut self, at: usize) -> Option<Circuit> {
-        let circuit = self.power(at, "")?;
-        self.coil(at, circuit, edge(self.network.elements[at].node))
+        match self.apart.contains(&at) {
+            true => self.power(at, ""),
+            false => self.ending(at),
+        }
     }
 
     fn at_value(&mut self, at: usize) -> Option<Circuit> {

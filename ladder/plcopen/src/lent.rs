@@ -46,6 +46,15 @@ pub(crate) fn lent(root: Node<'_, '_>) -> Vec<Lent> {
     .collect()
 }
 
+/// Whether a type is the lent one of this name, and none that the project makes.
+pub(crate) fn is_lent(derived: Node<'_, '_>, name: &str) -> bool {
+    let is_it = |node: Node<'_, '_>| {
+        let own = node.attribute("name");
+        own.is_some_and(|own| own.eq_ignore_ascii_case(name))
+    };
+    is_it(derived) && !within(derived.document().root(), "dataType").any(is_it)
+}
+
 /// What a type of this name is, where it is lent.
 pub(crate) fn stands_for(name: &str, lent: &[Lent]) -> Option<&'static str> {
     let own = lent.iter().find(|own| own.name.eq_ignore_ascii_case(name));

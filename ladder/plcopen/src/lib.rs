@@ -11,7 +11,7 @@
 //! - `circuit`: what is in series and in parallel; `ways`: wires followed to the left rail; `flow`: the way of the power to each output
 //! - `contacts`, `blocks`, `instances`, `values`: what is on that way
 //! - `pins`, `unused`: wires that lead nowhere, and what they come from
-//! - `outputs`: the circuits of a network; `effects`: which of them may change places; `anew`: contacts that each output reads for itself; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
+//! - `outputs`: the circuits of a network; `effects`: which of them may change places; `anew`: contacts that each output reads for itself; `apart`: coils in the middle of a path that run in their own turn; `rungs`: circuits to rungs of a document; `around`: the first scan, and the numbers of timers; `program`: all of it; `checked`: the document as a board checks it
 //! - `outline`: its units and their variables, as a tree; `alter`, `rows`: one of these changed in the file, put into it, taken away
 //! - `shown`: the body of a unit as its file lays it out; `bodies`: changed in the file; `edges`: bytes of it, and no others
 //! - `grown`: elements that come and go there
@@ -31,6 +31,7 @@ mod adapt;
 mod allot;
 mod alter;
 mod anew;
+mod apart;
 mod around;
 mod blocks;
 mod bodies;

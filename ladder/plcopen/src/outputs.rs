@@ -1,6 +1,7 @@
 //! The circuits of a network, one for each output: what they have in common appears once.
 
 use crate::anew::reads_anew;
+use crate::apart::apart;
 use crate::circuit::{Circuit, below, heads, leaves, size, within};
 use crate::effects::Effects;
 use crate::flow::Flow;
@@ -23,7 +24,10 @@ pub(crate) fn circuits(flow: &mut Flow<'_, '_, '_>) -> Vec<Circuit> {
         let kind = network.elements[at].kind;
         flow.tell(Code::XmlElement, at, [kind.into()]);
     }
-    for sink in sinks(network, &|element: &Element<'_, '_>| element.remembers()) {
+    let is_block = |element: &Element<'_, '_>| element.remembers();
+    let (sinks, apart) = sinks(network, &is_block, false);
+    flow.apart = apart;
+    for sink in sinks {
         let top = network.elements[sink].place.0;
         while labels.next_if(|label| *label <= top).is_some() {
             (made.since, made.jump) = (made.circuits.len(), None);
@@ -220,18 +224,22 @@ fn once(network: &Network<'_, '_>, circuits: &[Circuit], flow: &mut Flow<'_, '_,
 }
 
 /// The elements at which power ends, in the order in which they run: from top to bottom, between two labels or jumps
-/// those first that have an order. What is a function block, is asked.
+/// those first that have an order. What is a function block, is asked. In a text all
+/// coils are among them; else those which lead on, but run apart, and these once more by themselves.
 pub(crate) fn sinks(
     network: &Network<'_, '_>,
     is_block: &dyn Fn(&Element<'_, '_>) -> bool,
-) -> Vec<usize> {
+    is_text: bool,
+) -> (Vec<usize>, HashSet<usize>) {
     let mut sinks = Vec::new();
     for (at, element) in network.elements.iter().enumerate() {
         let mut readers = network.readers[at].iter();
         let leads_on = readers.any(|reader| !network.is_end(reader.at));
         match element.kind {
             _ if element.is_loose() => {}
+            "contact" if !leads_on && element.wires("").is_empty() => {}
             "block" if element.order.is_some() && is_block(element) => sinks.push(at),
+            "coil" if is_text => sinks.push(at),
             "coil" | "contact" | "block" if !leads_on => sinks.push(at),
             "inOutVariable" if element.wires("").is_empty() => {}
             "outVariable" | "inOutVariable" | "jump" | "return" => sinks.push(at),
@@ -244,14 +252,21 @@ pub(crate) fn sinks(
         .map(|at| network.turn(at))
         .collect();
     parting.sort_unstable();
-    sinks.sort_by_cached_key(|&at| {
+    let turn = |&at: &usize| {
         let part = parting.partition_point(|parting| *parting < network.turn(at));
         let order = order(network, at).unwrap_or(u32::MAX);
         // In a block diagram those come last that nothing has asked for.
         let is_last = network.is_blocks && network.elements[at].kind == "block";
         (part, parts(&at), order, is_last, network.turn(at))
+    };
+    sinks.sort_by_cached_key(turn);
+    let turns: Vec<_> = sinks.iter().map(turn).collect();
+    let apart = apart(network, &sinks, |at| {
+        turns.partition_point(|other| *other < turn(&at))
     });
-    sinks
+    sinks.extend(&apart);
+    sinks.sort_by_cached_key(turn);
+    (sinks, apart)
 }
 
 /// The elements that no ladder has.

@@ -15,7 +15,7 @@ use crate::project::{Pou, Project, Variable};
 use crate::rungs::Rungs;
 use crate::scope::Scope;
 use crate::ways::Ways;
-use crate::xml::{self, all, first, text};
+use crate::xml::{self, all, first, text, within};
 use std::collections::HashSet;
 use std::sync::Arc;
 use unoclp_checked::Checked;
@@ -230,7 +230,7 @@ fn is_ladder(project: &Project<'_, '_>) -> bool {
             .any(|pou| is_ordered(pou) || has_others(pou))
 }
 
-/// Whether a ladder has blocks that no document has.
+/// Whether a ladder has what no document has: other blocks, or ET of a TOF.
 fn has_others(pou: &Pou<'_, '_>) -> bool {
     let Some((_, body)) = pou.body else {
         return false;
@@ -240,7 +240,27 @@ fn has_others(pou: &Pou<'_, '_>) -> bool {
         let name = block.attribute("typeName").unwrap_or_default();
         pins::inputs(&name.to_uppercase()).is_none()
     };
-    blocks.any(is_other)
+    blocks.any(is_other) || reads_off_delay(body)
+}
+
+/// Whether a ladder reads ET of a TOF by a wire or by its name. It keeps PT after the delay, where the instruction of the board
+/// gives 0 (NC-14).
+fn reads_off_delay(body: roxmltree::Node<'_, '_>) -> bool {
+    let upper = |text: Option<&str>| text.unwrap_or_default().trim().to_uppercase();
+    let blocks = all(body, "block").filter(|block| upper(block.attribute("typeName")) == "TOF");
+    let (ids, names): (HashSet<_>, HashSet<_>) = blocks
+        .map(|block| {
+            let name = upper(block.attribute("instanceName"));
+            (block.attribute("localId"), format!("{name}.ET"))
+        })
+        .unzip();
+    let by_wire = |wire: roxmltree::Node<'_, '_>| {
+        let output = upper(wire.attribute("formalParameter"));
+        output == "ET" && ids.contains(&wire.attribute("refLocalId"))
+    };
+    !ids.is_empty()
+        && (within(body, "connection").any(by_wire)
+            || within(body, "expression").any(|of| names.contains(&upper(of.text()))))
 }
 
 fn ladder(

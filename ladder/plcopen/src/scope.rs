@@ -54,7 +54,7 @@ impl Scope {
         {
             let number = number(written);
             if number.is_none() {
-                let what = ("number that fits 32 bits", "um número que caiba em 32 bits");
+                let what = ("32-bit number", "um número que caiba em 32 bits");
                 found.tell_at(
                     Code::XmlValue,
                     at,
@@ -103,7 +103,10 @@ impl Scope {
             None => all.globals.get_mut(&upper),
         };
         let Some(own) = own else {
-            found.tell_at(Code::XmlUndeclared, at, [who.clone(), name.into()]);
+            match name {
+                "" => found.tell_at(Code::XmlNoVariable, at, [who.clone()]),
+                _ => found.tell_at(Code::XmlUndeclared, at, [who.clone(), name.into()]),
+            }
             return None;
         };
         let variable = match own {

@@ -3,7 +3,7 @@
 //! The elements of a file lie at most as deep as `bounds` lets them, and so does what is spelled here.
 
 use crate::found::span;
-use crate::lent::{Lent, stands_for};
+use crate::lent::{Lent, is_lent, stands_for};
 use crate::text::Text;
 use crate::xml::{all, first, text};
 use roxmltree::Node;
@@ -87,15 +87,12 @@ pub(crate) fn begins(of: Node<'_, '_>) -> Option<String> {
     Some(format!("'{text}'"))
 }
 
-/// Whether a type is STRING, or that of Beremiz's screens.
+/// Whether a type is STRING, or that of Beremiz's screens where the project makes no other of its name.
 fn is_string(of: Node<'_, '_>) -> bool {
-    let name = match of.tag_name().name() {
-        "derived" => of.attribute("name").unwrap_or_default(),
-        own => own,
-    };
-    ["string", "HMI_STRING"]
-        .iter()
-        .any(|own| own.eq_ignore_ascii_case(name))
+    match of.tag_name().name() {
+        "derived" => is_lent(of, "HMI_STRING"),
+        own => own.eq_ignore_ascii_case("string"),
+    }
 }
 
 /// A first value, as the text of a language has it.

@@ -28,7 +28,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         let network = self.network;
         let pin = network.elements[at].input(input);
         let Some((pin, [wire])) = pin.map(|pin| (pin, &pin.wires[..])) else {
-            self.tell(Code::XmlPin, at, [("a number", "um número").into()]);
+            self.tell(Code::XmlPin, at, [input.into()]);
             return None;
         };
         let from = &network.elements[wire.from];

@@ -162,7 +162,10 @@ impl Allotter<'_> {
                     .any(|kept| (kept - 1) / 8 + 1 == group) => {}
             _ => {
                 let (_, at) = self.place(cell);
-                let word = Word::Both("value at this place".into(), "valor neste lugar".into());
+                let word = Word::Both(
+                    "value at this address".into(),
+                    "valor neste endereço".into(),
+                );
                 self.found.tell(Code::BoardRetain, at, [word]);
             }
         }

@@ -192,9 +192,9 @@ impl Coder<'_, '_> {
         let target = match self.seats.lasting(true) {
             Some(Seat::At(Address::Marker(n))) => Target::Marker(n),
             _ => {
-                let words = ("marker", "memória");
+                let words = ("marker without retention", "memória não retentiva");
                 let most = "56".to_owned();
-                let name = ("what this block does", "o que este bloco faz");
+                let name = ("this block", "este bloco");
                 self.found.tell(
                     Code::BoardNoneLeft,
                     at,

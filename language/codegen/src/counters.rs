@@ -116,6 +116,8 @@ impl Coder<'_, '_> {
         let part = block.preset()?;
         let known = self.uses.given.get(&(cell + part)).copied().flatten()?;
         let initial = self.flat.cells.get((cell + part) as usize)?.initial.int();
+        // With its sign, as the board takes it.
+        let (known, initial) = (known as i32, initial as i32);
         let is_so = match block {
             // What it says before its first call is what it begins with.
             Standard::Counter => known.max(0) == initial.max(0),
@@ -123,7 +125,7 @@ impl Coder<'_, '_> {
             Standard::Ctu => true,
             _ => known >= 0,
         };
-        (is_so && !self.sets_again(cell, part)).then_some(known.max(0) as i32)
+        (is_so && !self.sets_again(cell, part)).then_some(known.max(0))
     }
 
     /// Whether a call does nothing before it looks at what it counts.
@@ -140,7 +142,7 @@ impl Coder<'_, '_> {
     fn preset_of(&mut self, block: Standard, cell: u32, inputs: &[(u32, Expr)]) -> Preset {
         let part = block.preset().unwrap_or_default();
         let held = self.flat.cells.get((cell + part) as usize);
-        let initial = held.map_or(0, |held| held.initial.int().max(0) as i32);
+        let initial = held.map_or(0, |held| (held.initial.int() as i32).max(0));
         let own = block == Standard::Counter;
         if let Some(fixed) = self.fixed_preset(block, cell) {
             return Preset { fixed, set: None };
@@ -293,5 +295,6 @@ fn is_never(on: &Expr) -> bool {
 
 /// Whether the board holds it as the preset of this counter.
 fn is_preset(preset: &Expr, block: Standard) -> bool {
-    block == Standard::Ctud && matches!(&preset.kind, ExprKind::Constant(value) if value.int() >= 0)
+    block == Standard::Ctud
+        && matches!(&preset.kind, ExprKind::Constant(value) if value.int() as i32 >= 0)
 }

@@ -407,7 +407,7 @@ fn cost(lines: &[Line], loops: &[Turns], found: &mut Found) {
                 all += whole;
                 if all > budget {
                     let words = [
-                        whole.to_string().into(),
+                        all.to_string().into(),
                         budget.to_string().into(),
                         most.into(),
                     ];

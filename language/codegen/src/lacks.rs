@@ -122,15 +122,18 @@ fn expression(expr: &Expr, found: &mut Found) {
 
 fn lacking_function(function: Extra, at: Span, found: &mut Found) {
     let what = match function {
-        Extra::Power => Word::from(("a power with a REAL exponent", "potência com expoente REAL")),
+        Extra::Power => Word::from((
+            "a power with a REAL exponent",
+            "uma potência com expoente REAL",
+        )),
         _ => format!("{function:?}").to_uppercase().into(),
     };
     let is_text = matches!(function, Extra::Len | Extra::Find);
     let instead = match is_text {
         true => instead(Base::Str),
         false => (
-            "it runs only on a PC, with unoclp run; on the board use a table of values or a straight line between two points",
-            "só roda no PC, com unoclp run; na placa, use uma tabela de valores ou uma reta entre dois pontos",
+            "it runs only on a PC, with unoclp run; on the board use a table of values or a linear interpolation between two points",
+            "só roda no PC, com unoclp run; na placa, use uma tabela de valores ou uma interpolação linear entre dois pontos",
         ),
     };
     found.tell(Code::BoardLacks, at, [what, instead.into()]);
@@ -144,8 +147,8 @@ fn instead(base: Base) -> (&'static str, &'static str) {
         Base::Ulint => ("use UDINT", "use UDINT"),
         Base::Lword => ("use DWORD", "use DWORD"),
         _ => (
-            "show numbers instead of strings, for example an enumeration",
-            "mostre números em vez de textos, por exemplo uma enumeração",
+            "use numbers instead of strings, for example the values of an enumeration",
+            "use números em vez de strings, por exemplo os valores de uma enumeração",
         ),
     }
 }

@@ -42,7 +42,7 @@ impl Coder<'_, '_> {
                     "an intermediate value of this statement",
                     "um valor intermediário deste comando",
                 );
-                let words = [words.into(), "98".into(), what.into()];
+                let words = [words.into(), ("98 and 56", "98 e 56").into(), what.into()];
                 self.found.tell(Code::BoardNoneLeft, step.at, words);
             }
         }

@@ -87,6 +87,8 @@ pub(crate) enum OperandKind {
     /// In upper case and without blanks, members and all: `%IX1`, `T1.Q`.
     Name(String),
     Number(i32),
+    /// A number of the type UDINT, by its bits, which are those of a negative one: `UDINT#3000000000`.
+    Unsigned(i32),
     /// A time in ms.
     Time(i32),
     /// A REAL, by its bits.
@@ -185,9 +187,10 @@ impl Operand {
     /// The number; none of a name.
     pub(crate) fn number(&self) -> Option<i32> {
         match self.kind {
-            OperandKind::Number(number) | OperandKind::Time(number) | OperandKind::Real(number) => {
-                Some(number)
-            }
+            OperandKind::Number(number)
+            | OperandKind::Unsigned(number)
+            | OperandKind::Time(number)
+            | OperandKind::Real(number) => Some(number),
             OperandKind::Bool(state) => Some(state.into()),
             OperandKind::Name(_) | OperandKind::Piece(_) | OperandKind::Unknown => None,
         }

@@ -33,8 +33,8 @@ pub(crate) fn check(text: &str, units: &[Unit], writes: bool, found: &mut Found)
         let missing: (&str, &str) = match (others, program.vars.as_slice()) {
             ([], []) => ("the text has no instructions", "o texto não tem instruções"),
             ([], _) => (
-                "it has declarations, but no instructions",
-                "há declarações, mas nenhuma instrução",
+                "the text has only declarations",
+                "o texto só tem declarações",
             ),
             _ => (
                 "functions and function blocks do nothing until a program calls them",

@@ -1,4 +1,4 @@
-//! How Instruction List says each instruction, as the instruction table has it.
+//! How Instruction List writes each instruction, according to the instruction table.
 
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Kind, Opcode, Operand, Value};
@@ -6,8 +6,8 @@ use unoclp_core::isa::{Kind, Opcode, Operand, Value};
 macro_rules! lines {
     ($($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $own:literal
         $effect:literal $il:literal $picture:literal;)*) => {
-        /// The line of an instruction, or of a contact, a load and a store its operand alone. Empty where
-        /// Instruction List has no words for it. `XX` and `operand` stand for what [`words`] puts in.
+        /// The line of an instruction; for a contact, a load or a store, only its operand. Empty where
+        /// Instruction List has no words for it. [`words`] replaces `XX` and `operand`.
         const fn line(opcode: Opcode) -> &'static str {
             match opcode {
                 $(Opcode::$name => $il,)*
@@ -17,7 +17,7 @@ macro_rules! lines {
 }
 unoclp_core::instructions!(lines);
 
-/// The operator of an instruction that is one of the language's own; empty where it has none.
+/// The operator of an instruction; empty where Instruction List has none for it.
 pub fn operator(opcode: Opcode) -> &'static str {
     line(opcode).split(' ').next().unwrap_or("")
 }
@@ -33,7 +33,7 @@ pub fn words(step: Instruction<'_>) -> Option<(&'static str, String)> {
     Some((operator, with_operands(operands, step)?))
 }
 
-/// The operand that stands for what a contact, a load or a store names.
+/// The operand of a contact, a load or a store.
 pub fn named(step: Instruction<'_>) -> Option<String> {
     let line = line(step.opcode);
     (!line.is_empty())

@@ -138,7 +138,7 @@ impl Parser<'_, '_> {
             (Sign::Open, _) => {
                 self.cursor.advance();
                 let mut inner = self.expression()?;
-                let help = ("close what the ( opens", "feche o que o ( abre");
+                let help = ("write ) to match the (", "escreva o ) que corresponde ao (");
                 let close = self.cursor.expect(Sign::Close, ")", help)?;
                 inner.span = token.span.to(close);
                 Ok(inner)
@@ -164,7 +164,7 @@ impl Parser<'_, '_> {
             (Sign::Text, _) => {
                 let help = (
                     "there are only INT, REAL and BOOL, and no strings",
-                    "há só INT, REAL e BOOL, e não há textos",
+                    "só há INT, REAL e BOOL, e não há strings",
                 );
                 let words = [self.cursor.short(token.span).into(), help.into()];
                 self.cursor.tell(Code::IsclLacks, token.span, words);
@@ -201,7 +201,7 @@ impl Parser<'_, '_> {
         match literal::number(written) {
             Ok((base, value)) if plain => NodeKind::Literal(base, value),
             _ => {
-                let what = ("number", "um número");
+                let what = ("number", "número");
                 let like = ("20, 1.5 or 1.5E3", "20, 1.5 ou 1.5E3");
                 let words = [self.cursor.short(span).into(), what.into(), like.into()];
                 self.cursor.tell(Code::StLiteral, span, words);

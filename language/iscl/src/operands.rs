@@ -68,8 +68,12 @@ impl Checker<'_, '_> {
         }
         let written = self.builder.written(operand.at);
         let help = both(
-            format!("AND and OR join BOOL; for a number, write IF {written} THEN … END_IF"),
-            format!("AND e OR juntam BOOL; para um número, escreva IF {written} THEN … END_IF"),
+            format!(
+                "AND and OR combine BOOL values; for a number, write IF {written} THEN … END_IF"
+            ),
+            format!(
+                "AND e OR combinam valores BOOL; para um número, escreva IF {written} THEN … END_IF"
+            ),
         );
         let needs = both("numbers", "números");
         let words = [sign.into(), needs, written.into(), "BOOL".into(), help];
@@ -92,8 +96,8 @@ impl Checker<'_, '_> {
                 format!("NOT vale só para o que vem logo depois: escreva NOT ({written} = …)"),
             ),
             _ => both(
-                format!("compare it with something: {written} <> 0"),
-                format!("compare com alguma coisa: {written} <> 0"),
+                format!("compare it with a value: {written} <> 0"),
+                format!("compare com um valor: {written} <> 0"),
             ),
         };
         let is = self.type_of(operand);

@@ -193,7 +193,7 @@ impl<'t> Parser<'t, '_> {
         }
         let before = self.cursor.place();
         let help = (
-            "a `;` ends each command and each declaration",
+            "a `;` ends each statement and each declaration",
             "um `;` encerra cada comando e cada declaração",
         );
         let behind = self.cursor.ahead(1).sign;

@@ -34,10 +34,10 @@ impl Parser<'_, '_> {
 
     fn no_command(&mut self) -> Told {
         let help = (
-            "a command stores a value, or begins with IF, WHILE, FOR or PRINT",
+            "a statement stores a value, or begins with IF, WHILE, FOR or PRINT",
             "um comando guarda um valor ou começa com IF, WHILE, FOR ou PRINT",
         );
-        self.cursor.missing(("a command", "um comando"), help)
+        self.cursor.missing(("a statement", "um comando"), help)
     }
 
     /// `x := e`
@@ -68,8 +68,8 @@ impl Parser<'_, '_> {
     /// Tells that nothing can be called.
     pub(super) fn called(&mut self, name: &Name) -> Told {
         let help = (
-            "there are no functions: write out what it computes",
-            "não há funções: escreva por extenso o que ela calcula",
+            "there are no functions: write out the calculation",
+            "não há funções: escreva o cálculo por extenso",
         );
         let written = format!("{}(…)", name.text);
         let words = [written.into(), help.into()];
@@ -262,7 +262,7 @@ impl Parser<'_, '_> {
         };
         if !matches!(self.cursor.sign(), Sign::Close | Sign::Comma) {
             // A name, and then something that is missing.
-            let help = ("close what the ( opens", "feche o que o ( abre");
+            let help = ("write ) to match the (", "escreva o ) que corresponde ao (");
             let told = self.cursor.expect(Sign::Close, ")", help);
             return told.err().unwrap_or(Told);
         }
@@ -270,7 +270,7 @@ impl Parser<'_, '_> {
         let help = match (token.sign, self.cursor.sign()) {
             (Sign::Text, _) => (
                 "InterSCL has no strings: print a variable, PRINT(x)".to_owned(),
-                "o InterSCL não tem textos: mostre uma variável, PRINT(x)".to_owned(),
+                "o InterSCL não tem strings: mostre uma variável, PRINT(x)".to_owned(),
             ),
             (_, Sign::Comma) => (
                 format!("write a PRINT for each: PRINT({written})"),

@@ -188,24 +188,24 @@ pub(super) fn lacking(word: &str) -> Option<(&'static str, &'static str)> {
             "escreva WHILE … DO … END_WHILE",
         ),
         "EXIT" | "BREAK" | "CONTINUE" => (
-            "let the condition of the WHILE end the loop",
-            "deixe que a condição do WHILE encerre o laço",
+            "end the loop with the condition of the WHILE",
+            "encerre o laço com a condição do WHILE",
         ),
         "RETURN" => (
-            "put what should not run into an IF",
-            "ponha em um IF o que não deve ser executado",
+            "put an IF around the statements to skip",
+            "ponha um IF em volta dos comandos a pular",
         ),
         "MOD" => (
             "compute the remainder: a - a / b * b",
             "calcule o resto: a - a / b * b",
         ),
         "XOR" => (
-            "for an exclusive OR of two BOOL, write a <> b",
-            "para o OU exclusivo de dois BOOL, escreva a <> b",
+            "for an exclusive OR of BOOL values, write a <> b",
+            "para o OU exclusivo de valores BOOL, escreva a <> b",
         ),
         "BY" => (
-            "FOR counts by 1; write WHILE for other steps",
-            "FOR conta de 1 em 1; para outro passo escreva WHILE",
+            "FOR counts in steps of 1; use WHILE for other steps",
+            "FOR conta de 1 em 1; para outros passos, use WHILE",
         ),
         _ => return None,
     })

@@ -23,17 +23,17 @@ const CHILD: &str = "UNOCLP_BENCH_LINES";
 const HEAD: &str = "\
 # Benchmarks of the compiler
 
-How long it takes to check a text in Structured Text, from its first byte to the typed tree, and in how much
-memory. A program writes this page: do not edit it, run the benchmark again.
+This page shows how much time and memory it takes to check a text in Structured Text, up to the typed tree. A program
+writes this page: do not edit it; run the benchmark again.
 
 ```
 cargo xtask bench
 ```
 
-measures it, as `cargo run --release` builds it. The texts are function blocks of ten lines each, without a mistake. The
-time is the shortest of seven, on the machine at hand, so another machine gives other figures; the memory is the peak
-of the whole process. The target is 10,000 lines in 150 ms and 32 MB, and time and memory that grow in proportion to the
-lines.
+This command measures a release build. The texts are function blocks of ten lines each, without mistakes. Each time is the
+shortest of seven runs on the computer that runs the benchmark, so another computer gives other figures. The memory is the
+peak of the whole process. The target is 10,000 lines in 150 ms and 32 MB. The column *per line* shows whether the time
+grows faster than the number of lines.
 
 | lines | bytes | time | per line | memory |
 | ---: | ---: | ---: | ---: | ---: |

@@ -74,6 +74,16 @@ mod tests {
     }
 
     #[test]
+    fn an_input_or_output_of_32_bits_is_a_register() {
+        let made = adapted(
+            "VAR a AT %MD1 : DINT; b AT %QD1 : REAL; c AT %ID1 : DINT; END_VAR\nb := %qd1 + 1.0;\n",
+        );
+        let moved = [("%QD1", "%MD2"), ("%ID1", "%MD3")];
+        assert_eq!(made.moved, moved.map(|(a, b)| (a.to_owned(), b.to_owned())));
+        assert!(made.text.ends_with("b := %MD2 + 1.0;\n"));
+    }
+
+    #[test]
     fn what_finds_no_place_stays_and_is_told() {
         let made = adapted(
             "a := %QX1.0; b := %QX1.1; c := %QX1.2; d := %QX1.3; e := %QX1.4; f := %QX1.4;",

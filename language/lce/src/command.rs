@@ -30,10 +30,10 @@ impl Parser<'_, '_> {
 
     fn no_command(&mut self) -> Told {
         let help = (
-            "a command stores a value, or begins with aciona, liga, desliga or se",
+            "a statement stores a value, or begins with aciona, liga, desliga or se",
             "um comando guarda um valor ou começa com aciona, liga, desliga ou se",
         );
-        self.cursor.missing(("a command", "um comando"), help)
+        self.cursor.missing(("a statement", "um comando"), help)
     }
 
     /// The variable that a command changes; a constant there is told.
@@ -192,7 +192,7 @@ impl Parser<'_, '_> {
         let help = ("write the condition in ( )", "escreva a condição entre ( )");
         self.cursor.expect(Sign::Open, "(", help)?;
         let condition = self.expression()?;
-        let help = ("close what the ( opens", "feche o que o ( abre");
+        let help = ("write ) to match the (", "escreva o ) que corresponde ao (");
         self.cursor.expect(Sign::Close, ")", help)?;
         let then = self.body(word)?;
         let mut otherwise = Vec::new();

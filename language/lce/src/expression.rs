@@ -164,7 +164,7 @@ impl Parser<'_, '_> {
             (Sign::Open, _) => {
                 self.cursor.advance();
                 let mut inner = self.expression()?;
-                let help = ("close what the ( opens", "feche o que o ( abre");
+                let help = ("write ) to match the (", "escreva o ) que corresponde ao (");
                 let close = self.cursor.expect(Sign::Close, ")", help)?;
                 inner.span = token.span.to(close);
                 Ok(inner)
@@ -178,10 +178,7 @@ impl Parser<'_, '_> {
             (Sign::Address, _) => Err(self.address()),
             (Sign::Foreign, _) => Err(self.lacks()),
             (Sign::Text, _) => {
-                let help = (
-                    "values are numbers and bits",
-                    "os valores são números e bits",
-                );
+                let help = ("use a number or a bit instead", "use um número ou um bit");
                 let words = [self.cursor.short(token.span).into(), help.into()];
                 self.cursor.tell(Code::LceLacks, token.span, words);
                 Err(Told)
@@ -289,7 +286,7 @@ impl Parser<'_, '_> {
                 NodeKind::Number(value, based)
             }
             _ => {
-                let what = ("number", "um número");
+                let what = ("number", "número");
                 let like = ("20, 1.5, 2#1010 or 16#1C", "20, 1.5, 2#1010 ou 16#1C");
                 let words = [self.cursor.short(span).into(), what.into(), like.into()];
                 self.cursor.tell(Code::StLiteral, span, words);

@@ -179,7 +179,7 @@ impl Parser<'_, '_> {
             return;
         }
         let before = self.cursor.place();
-        let help = ("a `;` ends each command", "um `;` encerra cada comando");
+        let help = ("a `;` ends each statement", "um `;` encerra cada comando");
         let sign = self.cursor.sign();
         let stores = match self.cursor.ahead(1).sign {
             Sign::Word => self.cursor.ahead(2).sign == Sign::Assign,

@@ -91,12 +91,12 @@ impl Checker<'_, '_> {
                 format!("maiúsculas e minúsculas são diferentes: escreva {upper}"),
             ),
             Some(near) if near.to_uppercase() == upper => both(
-                format!("LCE is case-sensitive: is it `{near}`?"),
-                format!("maiúsculas e minúsculas são diferentes: seria `{near}`?"),
+                format!("LCE is case-sensitive: did you mean `{near}`?"),
+                format!("maiúsculas e minúsculas são diferentes: você quis dizer `{near}`?"),
             ),
             Some(near) => Word::Near(near.to_string()),
             None => both(
-                format!("give a variable this name: var V0 = {text};"),
+                format!("give this name to a variable: var V0 = {text};"),
                 format!("dê esse nome a uma variável: var V0 = {text};"),
             ),
         };

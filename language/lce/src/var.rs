@@ -28,8 +28,8 @@ impl<'t> Parser<'t, '_> {
             Sign::Equal => self.alias(),
             Sign::Colon => {
                 let help = (
-                    "no type is declared; write a place and its name: V0 = nivel;",
-                    "não se declara tipo; escreva um lugar e o nome dele: V0 = nivel;",
+                    "variables have no declared type; write a place and its name: V0 = nivel;",
+                    "as variáveis não têm tipo declarado; escreva um lugar e o nome dele: V0 = nivel;",
                 );
                 let written = self.cursor.short(first.span);
                 self.cursor
@@ -71,7 +71,7 @@ impl<'t> Parser<'t, '_> {
                     "escreva um nome seu depois do =: V0 = nivel;".to_owned(),
                 ),
                 _ => (
-                    format!("store an initial value with a command: {place} := {name};"),
+                    format!("store an initial value with a statement: {place} := {name};"),
                     format!("guarde um valor inicial com um comando: {place} := {name};"),
                 ),
             };

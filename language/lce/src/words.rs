@@ -132,7 +132,7 @@ pub(super) fn lacking(word: &str) -> Option<(&'static str, &'static str)> {
     }
     Some(match word.to_lowercase().as_str() {
         "while" | "enquanto" | "for" | "para" | "repeat" | "repita" => (
-            "the program itself repeats: each scan runs it again; write se (…)",
+            "every scan runs the whole program again; write se (…)",
             "o próprio programa se repete a cada varredura; escreva se (…)",
         ),
         "and" | "e" => ("write &", "escreva &"),
@@ -145,11 +145,11 @@ pub(super) fn lacking(word: &str) -> Option<(&'static str, &'static str)> {
         "true" | "verdadeiro" => ("write 1", "escreva 1"),
         "false" | "falso" => ("write 0", "escreva 0"),
         "int" | "real" | "bool" | "float" | "inteiro" => (
-            "no type is declared: V0, V1, … exist already, and var names them: V0 = nivel;",
-            "não se declara tipo: V0, V1, … já existem, e var lhes dá nome: V0 = nivel;",
+            "variables have no declared type: V0, V1, … already exist, and var gives them names: V0 = nivel;",
+            "as variáveis não têm tipo declarado: V0, V1, … já existem, e var dá nomes a elas: V0 = nivel;",
         ),
         "print" | "imprima" | "escreva" => (
-            "store the value in a variable; the simulator shows it",
+            "store the value in a variable; the simulator shows the variable",
             "guarde o valor em uma variável; o simulador a mostra",
         ),
         _ => return None,

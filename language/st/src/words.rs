@@ -44,7 +44,7 @@ keywords! {
 }
 
 impl Keyword {
-    /// The keyword that is written so, in letters of any case.
+    /// The keyword with this spelling, in letters of any case.
     pub fn of(word: &str) -> Keyword {
         // The longest has 22 letters.
         let mut room = [0; 24];
@@ -87,7 +87,7 @@ impl Keyword {
         matches!(self, EndStep | EndTransition | EndAction)
     }
 
-    /// Whether it begins a unit or what stands beside one.
+    /// Whether it begins a unit, or a declaration outside units.
     pub fn begins_unit(self) -> bool {
         use Keyword::*;
         matches!(
@@ -121,7 +121,7 @@ impl Keyword {
     }
 }
 
-/// How a keyword is written that other languages, or a slip, write so; in upper case.
+/// The keyword meant by a spelling, in upper case, that comes from another language or a slip.
 pub(super) fn meant(upper: &str) -> Keyword {
     use Keyword::*;
     match upper {

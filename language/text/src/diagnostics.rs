@@ -14,7 +14,7 @@ pub enum Word {
     Text(String),
     /// English, and Portuguese.
     Both(String, String),
-    /// The name that may have been meant: "is it `motor`?"
+    /// The name that may have been meant: "did you mean `motor`?"
     Near(String),
 }
 
@@ -143,8 +143,8 @@ impl Diagnostic {
                 }),
                 Some(Word::Near(name)) => {
                     let [before, after] = match lang {
-                        Lang::En => ["is it `", "`?"],
-                        Lang::Pt => ["seria `", "`?"],
+                        Lang::En => ["did you mean `", "`?"],
+                        Lang::Pt => ["você quis dizer `", "`?"],
                     };
                     text.extend([before, name, after]);
                 }

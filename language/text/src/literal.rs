@@ -16,12 +16,20 @@ pub fn value(text: &str) -> Option<i32> {
         "16" => whole(rest, 16),
         "T" | "TIME" => short_time(rest),
         "REAL" => real(rest),
+        // As a pattern of 32 bits.
+        "UDINT" | "DWORD" if !rest.contains('#') => {
+            u32::try_from(digits(rest, 10)?).ok().map(u32::cast_signed)
+        }
         "SINT" | "INT" | "DINT" | "USINT" | "UINT" | "UDINT" | "BYTE" | "WORD" | "DWORD"
             if rest.matches('#').count() <= 1 =>
         {
             value(rest)
         }
-        "BOOL" => value(rest).filter(|number| (0..=1).contains(number)),
+        "BOOL" => match &*rest.to_ascii_uppercase() {
+            "FALSE" => Some(0),
+            "TRUE" => Some(1),
+            _ => value(rest).filter(|number| (0..=1).contains(number)),
+        },
         _ => None,
     }
 }
@@ -79,14 +87,18 @@ pub fn is_decimal(text: &str) -> bool {
 }
 
 fn whole(digits: &str, radix: u32) -> Option<i32> {
-    let digits: String = digits.chars().filter(|&c| c != '_').collect();
-    let number = i64::from_str_radix(&digits, radix).ok()?;
+    let number = self::digits(digits, radix)?;
     match radix {
         // A pattern of 32 bits.
         2 | 8 | 16 => u32::try_from(number).ok().map(u32::cast_signed),
         // One more than the largest, because a minus may be before it.
         _ => (number <= 1 << 31).then_some(number as i32),
     }
+}
+
+fn digits(digits: &str, radix: u32) -> Option<i64> {
+    let digits: String = digits.chars().filter(|&c| c != '_').collect();
+    i64::from_str_radix(&digits, radix).ok()
 }
 
 /// The ms of a time that fit 32 bits.
@@ -165,6 +177,12 @@ mod tests {
             ("UINT#16#F", Some(15)),
             ("DWORD#2#1010", Some(10)),
             ("INT#INT#16#F", None),
+            ("UDINT#4_294_967_295", Some(-1)),
+            ("UDINT#4294967296", None),
+            ("bool#true", Some(1)),
+            ("BOOL#FALSE", Some(0)),
+            ("BOOL#2", None),
+            ("DINT#4294967295", None),
             ("REAL#0.5", Some(0x3F00_0000)),
             ("REAL#-1.5E3", Some(0xC4BB_8000_u32.cast_signed())),
             ("REAL#1E39", None),

@@ -37,15 +37,19 @@ pub fn adapt_at(text: &str, points: &[Range<usize>], board: Board) -> Adapted {
         .map(|place| text.get(place.clone()).unwrap_or_default())
         .map(|written| written.to_uppercase().split_whitespace().collect())
         .collect();
-    let whole = |key| read(key, Maker::Iec);
+    fn whole(key: &str) -> Option<Written<'_>> {
+        read(key, Maker::Iec)
+    }
     let mut places = Places::new(keys.iter().filter_map(|key| whole(key)), board);
     let (mut adapted, mut behind) = (String::with_capacity(text.len()), 0);
     for (place, key) in points.iter().zip(&keys) {
-        // `%MW0.1`: a word within another.
-        let part = || key.split_once('.').and_then(|(word, _)| whole(word));
+        // `%MW0.1`, `%ID0.0.0`: one within another.
+        let first = key.split_once('.').map(|(first, _)| first);
+        let double = double_word(first.unwrap_or(key));
+        let other = || double.as_deref().or(first).and_then(whole);
         let new = match whole(key) {
             Some(written) => places.place(&written, written.number, key),
-            None => part().and_then(|written| places.place(&written, None, key)),
+            None => other().and_then(|written| places.place(&written, None, key)),
         };
         if let Some(new) = new {
             adapted.push_str(text.get(behind..place.start).unwrap_or_default());
@@ -59,6 +63,14 @@ pub fn adapt_at(text: &str, points: &[Range<usize>], board: Board) -> Adapted {
         moved: places.moved,
         left: places.left,
     }
+}
+
+/// A register in the place of an input or output of 32 bits, which no board has: `%MD7` for `%QD7`.
+fn double_word(key: &str) -> Option<String> {
+    let digits = key
+        .strip_prefix("%ID")
+        .or_else(|| key.strip_prefix("%QD"))?;
+    Some(format!("%MD{digits}"))
 }
 
 /// Which points of a board are free, and what has gone where.

@@ -109,7 +109,7 @@ fn plural(kind: Kind) -> (&'static str, &'static str) {
         Kind::Input => ("inputs", "as entradas"),
         Kind::Output => ("outputs", "as saídas"),
         Kind::Marker => ("markers", "as memórias"),
-        Kind::System => ("system markers", "as memórias do sistema"),
+        Kind::System => ("system markers", "as memórias de sistema"),
         Kind::Register => ("registers", "os registradores"),
         Kind::Analogue => ("analogue inputs", "as entradas analógicas"),
         Kind::Group => ("bytes of markers", "os bytes de memórias"),
@@ -125,9 +125,9 @@ pub fn named(kind: Kind, number: u16) -> Word {
         Kind::Marker => ("marker", "memória"),
         Kind::Register => ("register", "registrador"),
         Kind::Analogue => ("analogue input A", "entrada analógica A"),
-        Kind::System => ("system marker", "memória do sistema"),
-        Kind::Inputs => return ("thing, all inputs", "todas as entradas").into(),
-        Kind::Outputs => return ("thing, all outputs", "todas as saídas").into(),
+        Kind::System => ("system marker", "memória de sistema"),
+        Kind::Inputs => return ("all inputs", "todas as entradas").into(),
+        Kind::Outputs => return ("all outputs", "todas as saídas").into(),
         _ => return ("point", "ponto").into(),
     };
     Word::Both(format!("{en} {number:02}"), format!("{pt} {number:02}"))
@@ -206,7 +206,7 @@ fn elsewhere(written: &Written, board: Board) -> Option<Both> {
         .find(|other| exists(address, *other))?;
     let name = other.name;
     Some((
-        format!("; the board {name} has this one"),
+        format!("; the {name} has this one"),
         format!("; a placa {name} tem este ponto"),
     ))
 }

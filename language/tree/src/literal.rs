@@ -24,7 +24,7 @@ fn fault(en: &str, pt: &str, like: &str) -> Fault {
 }
 
 fn number_fault() -> Fault {
-    fault("number", "um número", "20, -5, 1.5, 2#1010 or 16#FF")
+    fault("number", "número", "20, -5, 1.5, 2#1010 or 16#FF")
         .like_both("20, -5, 1.5, 2#1010 ou 16#FF")
 }
 
@@ -62,7 +62,7 @@ pub fn number(text: &str) -> Read {
         let is_time = unit > 0 && time(&digits).is_some();
         return Err(match is_time {
             true => Fault {
-                what: ("number", "um número").into(),
+                what: ("number", "número").into(),
                 like: format!("T#{digits}").into(),
             },
             false => number_fault(),
@@ -122,26 +122,22 @@ fn of_type(base: Base, rest: &str) -> Read {
     match base {
         Base::Time => int(
             signed_time(rest),
-            fault("time", "um tempo", "T#20s, T#1h30m or T#1.5s")
+            fault("time", "tempo", "T#20s, T#1h30m or T#1.5s")
                 .like_both("T#20s, T#1h30m ou T#1.5s"),
         ),
-        Base::Date => int(date(rest), fault("date", "uma data", "D#2026-11-23")),
+        Base::Date => int(date(rest), fault("date", "data", "D#2026-11-23")),
         Base::Tod => int(
             clock(rest),
-            fault("time of day", "uma hora do dia", "TOD#14:30:00"),
+            fault("time of day", "hora do dia", "TOD#14:30:00"),
         ),
         Base::Dt => int(
             date_and_time(rest),
-            fault(
-                "date and time",
-                "uma data com hora",
-                "DT#2026-11-23-14:30:00",
-            ),
+            fault("date and time", "data com hora", "DT#2026-11-23-14:30:00"),
         ),
         Base::Bool => match rest.to_ascii_uppercase().as_str() {
             "TRUE" | "1" => Ok((base, Value::Int(1))),
             "FALSE" | "0" => Ok((base, Value::Int(0))),
-            _ => Err(fault("BOOL", "um BOOL", "BOOL#TRUE")),
+            _ => Err(fault("BOOL", "BOOL", "BOOL#TRUE")),
         },
         Base::Str | Base::Wstr => {
             let inner = rest
@@ -150,7 +146,7 @@ fn of_type(base: Base, rest: &str) -> Read {
             let quoted = rest.len() >= 2 && rest.starts_with(['\'', '"']);
             match characters(inner).filter(|_| quoted) {
                 Some(text) => Ok((base, Value::Text(text))),
-                None => Err(fault("text", "um texto", "STRING#'OK'")),
+                None => Err(fault("string", "string", "STRING#'OK'")),
             }
         }
         _ => {
@@ -164,7 +160,7 @@ fn of_type(base: Base, rest: &str) -> Read {
                 }
                 None => format!("{base}#1.5"),
             };
-            let wrong = || fault(base.name(), &format!("um {base}"), &range);
+            let wrong = || fault(base.name(), base.name(), &range);
             match number(digits).map_err(|_| wrong())? {
                 (Base::AnyInt, Value::Int(value)) if !base.is_real() => {
                     int(Some(sign * value), wrong())

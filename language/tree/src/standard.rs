@@ -25,6 +25,12 @@ pub enum Standard {
     CtdDint,
     /// Counts both ways in a DINT.
     CtudDint,
+    /// Counts up in a UDINT.
+    CtuUdint,
+    /// Counts down in a UDINT.
+    CtdUdint,
+    /// Counts both ways in a UDINT.
+    CtudUdint,
     /// A pulse of PT.
     Tp,
     /// Q follows IN by PT, where it rises.
@@ -52,7 +58,7 @@ pub enum Role {
 /// A cell of a block: its name, its type, and for whom it is.
 pub type Part = (&'static str, Base, Role);
 
-use Base::{Bool, Dint, Int, Time};
+use Base::{Bool, Dint, Int, Time, Udint};
 use Role::{Hidden, Input, Output};
 
 const TIMER: &[Part] = &[
@@ -77,10 +83,10 @@ pub mod counter {
     pub const NUMBER: u32 = 7;
 }
 
-/// Counters of INT, and of DINT.
-const UP: [[Part; 6]; 2] = [up(Int), up(Dint)];
-const DOWN: [[Part; 6]; 2] = [down(Int), down(Dint)];
-const BOTH: [[Part; 10]; 2] = [both(Int), both(Dint)];
+/// Counters of INT, of DINT, and of UDINT.
+const UP: [[Part; 6]; 3] = [up(Int), up(Dint), up(Udint)];
+const DOWN: [[Part; 6]; 3] = [down(Int), down(Dint), down(Udint)];
+const BOTH: [[Part; 10]; 3] = [both(Int), both(Dint), both(Udint)];
 
 const fn up(number: Base) -> [Part; 6] {
     [
@@ -127,7 +133,7 @@ const EDGE: &[Part] = &[
 
 impl Standard {
     /// Those of the standard, which texts declare by these names.
-    pub const ALL: [Standard; 13] = [
+    pub const ALL: [Standard; 16] = [
         Standard::Sr,
         Standard::Rs,
         Standard::RTrig,
@@ -138,6 +144,9 @@ impl Standard {
         Standard::CtuDint,
         Standard::CtdDint,
         Standard::CtudDint,
+        Standard::CtuUdint,
+        Standard::CtdUdint,
+        Standard::CtudUdint,
         Standard::Tp,
         Standard::Ton,
         Standard::Tof,
@@ -156,6 +165,9 @@ impl Standard {
             Standard::CtuDint => "CTU_DINT",
             Standard::CtdDint => "CTD_DINT",
             Standard::CtudDint => "CTUD_DINT",
+            Standard::CtuUdint => "CTU_UDINT",
+            Standard::CtdUdint => "CTD_UDINT",
+            Standard::CtudUdint => "CTUD_UDINT",
             Standard::Tp => "TP",
             Standard::Ton => "TON",
             Standard::Tof => "TOF",
@@ -185,10 +197,13 @@ impl Standard {
             Standard::RTrig | Standard::FTrig => EDGE,
             Standard::Ctu => &UP[0],
             Standard::CtuDint => &UP[1],
+            Standard::CtuUdint => &UP[2],
             Standard::Ctd => &DOWN[0],
             Standard::CtdDint => &DOWN[1],
+            Standard::CtdUdint => &DOWN[2],
             Standard::Ctud => &BOTH[0],
             Standard::CtudDint => &BOTH[1],
+            Standard::CtudUdint => &BOTH[2],
             Standard::Tp | Standard::Ton | Standard::Tof | Standard::Tonr => TIMER,
             Standard::Counter => &BOTH[1],
         }
@@ -199,17 +214,20 @@ impl Standard {
         self.parts().len() as u32
     }
 
-    /// The block that has one of the standard's longer names, in upper case: `TON_TIME`, `CTU_INT`. Those that count in 64 bits,
-    /// or without a sign, count as those of DINT do.
+    /// The block that has one of the standard's longer names, in upper case: `TON_TIME`, `CTU_INT`. Those that count in 64 bits
+    /// count in 32.
     pub fn overloaded(name: &str) -> Option<Standard> {
         let (plain, of) = name.rsplit_once('_')?;
         let block = Standard::named(plain)?;
         match (block, of) {
             (Standard::Tp | Standard::Ton | Standard::Tof, "TIME") => Some(block),
             (Standard::Ctu | Standard::Ctd | Standard::Ctud, "INT") => Some(block),
-            (Standard::Ctu, "LINT" | "UDINT" | "ULINT") => Some(Standard::CtuDint),
-            (Standard::Ctd, "LINT" | "UDINT" | "ULINT") => Some(Standard::CtdDint),
-            (Standard::Ctud, "LINT" | "UDINT" | "ULINT") => Some(Standard::CtudDint),
+            (Standard::Ctu | Standard::Ctd | Standard::Ctud, "LINT") => {
+                Standard::named(&format!("{plain}_DINT"))
+            }
+            (Standard::Ctu | Standard::Ctd | Standard::Ctud, "ULINT") => {
+                Standard::named(&format!("{plain}_UDINT"))
+            }
             _ => None,
         }
     }
@@ -261,9 +279,9 @@ impl Standard {
     /// The counter of INT that counts as this one does; any other block is itself.
     pub const fn plain(self) -> Standard {
         match self {
-            Standard::CtuDint => Standard::Ctu,
-            Standard::CtdDint => Standard::Ctd,
-            Standard::CtudDint => Standard::Ctud,
+            Standard::CtuDint | Standard::CtuUdint => Standard::Ctu,
+            Standard::CtdDint | Standard::CtdUdint => Standard::Ctd,
+            Standard::CtudDint | Standard::CtudUdint => Standard::Ctud,
             other => other,
         }
     }
@@ -271,14 +289,8 @@ impl Standard {
     /// Whether it is one of the board's counters.
     pub const fn is_counter(self) -> bool {
         matches!(
-            self,
-            Standard::Ctu
-                | Standard::Ctd
-                | Standard::Ctud
-                | Standard::Counter
-                | Standard::CtuDint
-                | Standard::CtdDint
-                | Standard::CtudDint
+            self.plain(),
+            Standard::Ctu | Standard::Ctd | Standard::Ctud | Standard::Counter
         )
     }
 

@@ -37,12 +37,8 @@ pub(crate) fn write<'a, 'x: 'a>(
     let mut chart = Chart::default();
     let net = Net::read(pou, body, found);
     if net.steps.is_empty() && !found.has_errors() {
-        let what: Word = ("missing", "vazio").into();
-        let help: Word = (
-            "draw or write what it does",
-            "desenhe ou escreva o que ele faz",
-        )
-            .into();
+        let what: Word = ("empty", "vazio").into();
+        let help: Word = ("draw or write its body", "desenhe ou escreva o corpo dele").into();
         found.tell(
             Code::XmlBody,
             pou.node,

@@ -34,8 +34,8 @@ pub(super) fn tell<const N: usize>(
 /// What a body is written in.
 pub(super) fn in_language(language: &str) -> Word {
     (
-        format!("what is in {language}"),
-        format!("o que está em {language}"),
+        format!("code in {language}"),
+        format!("código em {language}"),
     )
         .into()
 }

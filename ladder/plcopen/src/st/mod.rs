@@ -103,7 +103,7 @@ pub(crate) fn write<'a, 'x: 'a>(
         body.diagram();
         return body.written();
     }
-    for sink in sinks(&network, &is_block) {
+    for sink in sinks(&network, &is_block, true).0 {
         body.pass_labels(Some(sink));
         if body.sink(sink).is_none() && !body.found.has_errors() {
             body.tell(Code::XmlTangle, sink, []);

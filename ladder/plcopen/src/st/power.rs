@@ -51,7 +51,7 @@ impl<'a, 'x: 'a> Body<'_, 'a, 'x> {
         let name = written.split(['.', '[']).next().unwrap_or_default();
         let name = name.trim().to_uppercase();
         if name.is_empty() {
-            self.tell(Code::XmlPin, at, [("a variable", "uma variável").into()]);
+            self.tell(Code::XmlNoVariable, at, []);
             return None;
         }
         let is_name = name.chars().all(|c| c.is_alphanumeric() || c == '_')

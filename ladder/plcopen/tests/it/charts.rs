@@ -392,11 +392,11 @@ fn what_is_wrong_is_told_by_the_names_of_steps_and_transitions() {
         ),
         (
             two(&inline("SFC", ""), &valve),
-            "XML-542 `Main`, transition after `S1`: what is in SFC cannot be imported as a condition",
+            "XML-542 `Main`, transition after `S1`: code in SFC cannot be imported as a condition",
         ),
         (
             two(&st("a"), &action(4, 3, "", &inline("IL", "JMP x"))),
-            "XML-543 `Main`, action `S2_does`: a jump to `x`, which is no label, cannot be imported as the body of an action",
+            "XML-543 `Main`, action `S2_does`: a jump to `x`, which is not a label, cannot be imported as the body of an action",
         ),
         (
             two(&st("a"), &action(4, 3, "", "")),
@@ -420,7 +420,7 @@ fn what_is_wrong_is_told_by_the_names_of_steps_and_transitions() {
         ),
         (
             String::new(),
-            "XML-504 the body of `Main` is missing, which cannot be imported",
+            "XML-504 the body of `Main` cannot be imported: it is empty",
         ),
     ];
     for (chart, wanted) in cases {

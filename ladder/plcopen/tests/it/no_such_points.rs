@@ -35,7 +35,7 @@ impl Case {
     fn elsewhere(&self) -> (String, String) {
         self.board.as_ref().map_or_else(Default::default, |board| {
             (
-                format!("; the board {board} has this one"),
+                format!("; the {board} has this one"),
                 format!("; a placa {board} tem este ponto"),
             )
         })

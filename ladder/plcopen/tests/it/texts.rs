@@ -36,6 +36,16 @@ fn structured_text_and_instruction_list_are_compiled() {
 }
 
 #[test]
+fn a_type_of_the_project_goes_before_one_of_a_screen() {
+    let number = r#"<variable name="t"><type><derived name="HMI_STRING"/></type><initialValue><simpleValue value="5"/></initialValue></variable>"#;
+    let body = "<ST><xhtml:p>q := a AND t = 5;</xhtml:p></ST>";
+    let own = r#"<dataTypes><dataType name="Hmi_String"><baseType><INT/></baseType></dataType></dataTypes>"#;
+    let text = project(&format!("{VARIABLES}{number}"), body).replace("<dataTypes/>", own);
+    let made = import(&text, Board::UNO);
+    assert!(made.program.is_some(), "{:?}", made.diagnostics);
+}
+
+#[test]
 fn a_body_may_say_again_what_its_unit_is() {
     let compiled = |text: &str| import(text, Board::UNO).code.map(|code| codes(&code));
     let wanted = compiled(&of("ST", "q := a;"));
@@ -179,8 +189,8 @@ fn messages_name_the_rung_and_the_element() {
 #[test]
 fn a_body_on_several_sheets_is_told_with_what_to_do() {
     let text = project("", "<ST/></body><body><ST/>");
-    let en = "the body of `Main` is on several sheets, which cannot be imported";
-    let pt = "o corpo de `Main` é dividido em várias folhas, que não pode ser importado";
+    let en = "the body of `Main` cannot be imported: it is on several sheets";
+    let pt = "o corpo de `Main` não pode ser importado: está dividido em várias folhas";
     assert_eq!(told(&text), [[en.to_owned(), pt.to_owned()]]);
     let made = import(&text, Board::UNO);
     assert_eq!(made.diagnostics[0].help(Lang::En), "put it on one sheet");

@@ -236,7 +236,7 @@ impl Walk<'_, '_, '_> {
             return self.count(&operand, &target, inputs, span);
         }
         let Some(start) = start else {
-            let needs = ("its input, IN", "sua entrada, IN");
+            let needs = ("a value for its input IN", "um valor na entrada IN");
             return self.tell(Code::ParameterMissing, span, [name.into(), needs.into()]);
         };
         self.start_timer(&operand, &target, Some(start), preset, span);

@@ -118,7 +118,7 @@ impl<'a> Walk<'_, 'a, '_> {
             },
             None if self.front.names.stores(&name, "CLK") => Vec::new(),
             None => {
-                let needs = ("its input, CLK", "sua entrada, CLK");
+                let needs = ("a value for its input CLK", "um valor na entrada CLK");
                 let words = [block.name().into(), needs.into()];
                 return self.tell(Code::ParameterMissing, span, words);
             }

@@ -242,7 +242,10 @@ impl Walk<'_, '_, '_> {
         };
         let counts = is_given(params, "CU", 0) || is_given(params, "CD", 0);
         if !counts && !stores(self, &["CU"]) && !stores(self, &["CD"]) {
-            let needs = ("what it counts, CU", "o que contar, CU");
+            let needs = (
+                "a value for CU, its count input",
+                "um valor em CU, a entrada de contagem",
+            );
             let words = [name.as_str().into(), needs.into()];
             self.tell(Code::ParameterMissing, span, words);
             return;

@@ -54,7 +54,10 @@ impl Walk<'_, '_, '_> {
         let spelt = ["S", "S1", "SET", "SET1", "R", "R1", "RESET", "RESET1"];
         let mut spelt = spelt.iter();
         if !sets && !resets && !spelt.any(|part| self.front.names.stores(&name, part)) {
-            let needs = ("what sets and resets it", "o que o liga e o desliga");
+            let needs = (
+                "a value for its set input and its reset input",
+                "um valor na entrada que o liga e na que o desliga",
+            );
             let words = [name.as_str().into(), needs.into()];
             return self.tell(Code::ParameterMissing, span, words);
         }

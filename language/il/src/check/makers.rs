@@ -58,8 +58,8 @@ impl Walk<'_, '_, '_> {
         };
         let Some(count) = count else {
             let needs = (
-                "what it counts, and then what resets it, each after an LD",
-                "o que contar e depois o que o zera, cada um depois de um LD",
+                "a count input and then a reset input, each loaded with LD",
+                "uma entrada de contagem e depois uma de reset, cada uma carregada com LD",
             );
             let name = self.spelled(counter);
             let words = [name.into(), needs.into()];

@@ -39,6 +39,7 @@ impl Walk<'_, '_, '_> {
             OperandKind::Real(bits) => return Is::Constant(self.real(*bits, span)),
             OperandKind::Time(ms) => return Is::Constant(self.time(*ms, span)),
             OperandKind::Number(number) => return Is::Constant(self.whole(*number, span)),
+            OperandKind::Unsigned(bits) => return Is::Constant(self.unsigned(*bits, span)),
             OperandKind::Bool(state) => return Is::Constant(self.truth(*state, span)),
             OperandKind::Unknown => return Is::Wrong,
             OperandKind::Name(name) => name,
@@ -342,6 +343,11 @@ impl Walk<'_, '_, '_> {
     pub(super) fn whole(&mut self, number: i32, span: Span) -> Expr {
         let value = Value::Int(number.into());
         self.front.c.builder.literal(Base::Dint, value, span)
+    }
+
+    pub(super) fn unsigned(&mut self, bits: i32, span: Span) -> Expr {
+        let value = Value::Int(bits.cast_unsigned().into());
+        self.front.c.builder.literal(Base::Udint, value, span)
     }
 
     pub(super) fn truth(&mut self, state: bool, span: Span) -> Expr {

@@ -241,7 +241,7 @@ impl Walk<'_, '_, '_> {
         if !is_given(params, "IN", 0) {
             is_stored = self.front.names.stores(&name, "IN");
             if !is_stored {
-                let needs = ("its input, IN", "sua entrada, IN");
+                let needs = ("a value for its input IN", "um valor na entrada IN");
                 let words = [name.as_str().into(), needs.into()];
                 self.tell(Code::ParameterMissing, span, words);
             }

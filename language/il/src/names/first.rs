@@ -97,7 +97,10 @@ impl Names<'_> {
                 within(
                     0,
                     255,
-                    ("eight bits go from 0 to 255", "oito bits vão de 0 a 255"),
+                    (
+                        "a value of eight bits goes from 0 to 255",
+                        "um valor de oito bits vai de 0 a 255",
+                    ),
                 )?;
             }
             Place::Number(Num::At(Address::Pwm(_))) => {
@@ -108,8 +111,8 @@ impl Names<'_> {
                     0,
                     15,
                     (
-                        "four outputs go from 0 to 15",
-                        "quatro saídas vão de 0 a 15",
+                        "a group of four outputs goes from 0 to 15",
+                        "um grupo de quatro saídas vai de 0 a 15",
                     ),
                 )?;
             }

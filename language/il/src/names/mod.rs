@@ -184,9 +184,10 @@ impl<'t> Names<'t> {
     ) -> Place {
         let name = match &operand.kind {
             OperandKind::Name(name) => name,
-            OperandKind::Number(number) | OperandKind::Time(number) | OperandKind::Real(number) => {
-                return Place::Number(Num::Const(*number));
-            }
+            OperandKind::Number(number)
+            | OperandKind::Unsigned(number)
+            | OperandKind::Time(number)
+            | OperandKind::Real(number) => return Place::Number(Num::Const(*number)),
             OperandKind::Piece(_) => return Place::Typed,
             OperandKind::Bool(state) => return Place::Always(*state),
             OperandKind::Unknown => return Place::Unknown,

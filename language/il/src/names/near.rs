@@ -54,8 +54,8 @@ impl Near {
         let declare = format!("VAR {written} AT {point} : BOOL; END_VAR");
         match self.nearest(written) {
             Some(near) => Word::Both(
-                format!("is it `{near}`? if not, declare it: {declare}"),
-                format!("seria `{near}`? se não, declare-o: {declare}"),
+                format!("did you mean `{near}`? if not, declare it: {declare}"),
+                format!("você quis dizer `{near}`? se não, declare-o: {declare}"),
             ),
             None => Word::Both(
                 format!("declare it: {declare}"),

@@ -121,8 +121,8 @@ impl Names<'_> {
         place.unwrap_or_else(|| {
             let help = match has {
                 "" => (
-                    "only timers, counters and blocks have parts".to_owned(),
-                    "só temporizadores, contadores e blocos têm partes".to_owned(),
+                    "only timers, counters and blocks have members".to_owned(),
+                    "só temporizadores, contadores e blocos têm membros".to_owned(),
                 ),
                 has => (format!("it has {has}"), format!("tem {has}")),
             };

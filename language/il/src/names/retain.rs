@@ -15,26 +15,29 @@ const GROUP: u8 = (RETENTIVE - 1) / 8 + 1;
 /// Why a variable cannot be kept.
 type Why = (&'static str, &'static str);
 
-const NEW: Why = ("it is new at each call", "ela é nova a cada chamada");
+const NEW: Why = (
+    "it is created again at each call",
+    "ela é criada de novo a cada chamada",
+);
 const MARKER: Why = (
-    "of the markers only M57 to M64 are kept",
-    "das memórias, só M57 a M64 são retidas",
+    "only the markers M57 to M64 are retained",
+    "só as memórias M57 a M64 são retidas",
 );
 const TIMER: Why = (
-    "the time of a timer is not kept",
-    "o tempo de um temporizador não é retido",
+    "the elapsed time of a timer is not retained",
+    "o tempo decorrido de um temporizador não é retido",
 );
-const EDGE: Why = ("an edge is not kept", "uma borda não é retida");
+const EDGE: Why = ("an edge is not retained", "uma borda não é retida");
 const BLOCK: Why = (
-    "write RETAIN in the block's own declarations of what it should keep",
-    "escreva RETAIN nas declarações do próprio bloco, no que ele deve reter",
+    "write RETAIN in the block itself, in the declarations of the variables to retain",
+    "escreva RETAIN no próprio bloco, nas declarações das variáveis a reter",
 );
 const POINT: Why = (
-    "inputs, outputs and PWM are not kept",
+    "inputs, outputs and PWM are not retained",
     "entradas, saídas e PWM não são retidos",
 );
 const TOO_MANY: Why = (
-    "at most 16 registers and counters are kept, and initial values take a register too",
+    "at most 16 registers and counters are retained, and initial values take a register too",
     "no máximo 16 registradores e contadores são retidos, e os valores iniciais também ocupam um registrador",
 );
 

@@ -285,8 +285,8 @@ impl Parser<'_, '_> {
     /// `=` where `:=` is meant.
     pub(super) fn equals_for_assign(&mut self) {
         let help = (
-            "a value is given by :=, as in IN := I1",
-            "um valor é dado com :=, como em IN := I1",
+            "to give an input a value, write :=, as in IN := I1",
+            "para dar um valor a uma entrada, escreva :=, como em IN := I1",
         );
         self.colon_missing(self.peek(), help);
     }

@@ -354,7 +354,7 @@ impl Parser<'_, '_> {
             (None, Some(_)) if std::mem::take(&mut self.headless) => {}
             (None, Some(end)) => {
                 let text = self.text_of(end).to_owned();
-                let why = ("it ends nothing; delete it", "não termina nada; apague-o");
+                let why = ("delete it", "apague-o");
                 self.tell(Code::Structure, end, [text.into(), why.into()]);
             }
             (Some(unit), None) if unit.kind != UnitKind::Program => {

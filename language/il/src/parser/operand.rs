@@ -62,6 +62,9 @@ impl Parser<'_, '_> {
                         Some(value) if text.starts_with(['T', 't']) => {
                             (OperandKind::Time(value), token.span)
                         }
+                        Some(value) if value < 0 && is_unsigned(&text) => {
+                            (OperandKind::Unsigned(value), token.span)
+                        }
                         Some(value) if token.kind == Kind::Literal || value >= 0 => {
                             (OperandKind::Number(value), token.span)
                         }
@@ -100,7 +103,7 @@ impl Parser<'_, '_> {
 
     /// Whether a type of Structured Text stands before the `#` of a literal.
     fn is_typed_prefix(&self, text: &str) -> bool {
-        let prefix = text.split('#').next().unwrap_or_default().to_uppercase();
+        let prefix = prefix(text);
         self.type_names.contains(&prefix)
             || Base::named(&prefix).is_some_and(|base| !base.is_plain())
             || matches!(prefix.as_str(), "D" | "DATE")
@@ -377,6 +380,17 @@ impl Parser<'_, '_> {
 
 /// What reads a piece of a text, and where that ends.
 type PieceReader = fn(&str, Span, &mut Found) -> Option<(Piece, u32)>;
+
+/// What stands before the `#` of a literal, in upper case.
+fn prefix(text: &str) -> String {
+    let prefix = text.split('#').next().unwrap_or_default();
+    prefix.to_uppercase()
+}
+
+/// `UDINT#1`, `DWORD#16#1`.
+fn is_unsigned(text: &str) -> bool {
+    matches!(Base::named(&prefix(text)), Some(Base::Udint | Base::Dword))
+}
 
 /// Mitsubishi's `K50`, a constant.
 fn maker_constant(operand: Operand) -> Operand {

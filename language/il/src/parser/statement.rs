@@ -394,7 +394,10 @@ impl Parser<'_, '_> {
             }
         }
         let help = match operators::nearest(word) {
-            Some(near) => (format!("is it {near}?"), format!("seria {near}?")),
+            Some(near) => (
+                format!("did you mean {near}?"),
+                format!("você quis dizer {near}?"),
+            ),
             None => (
                 "each line begins with an operator, like LD, AND, OR or ST".to_owned(),
                 "cada linha começa com um operador, como LD, AND, OR ou ST".to_owned(),

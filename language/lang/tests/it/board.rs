@@ -49,6 +49,9 @@ fn held(plc: &Plc<'_>, place: &str, base: Base, now: u32) -> Option<Value> {
         }
         "T" if base == Base::Bool => bit(plc.timers(now).nth(at?)?.q),
         "T" => Value::Int(plc.timers(now).nth(at?)?.elapsed.into()),
+        "C" if base == Base::Udint => {
+            Value::Int(plc.counters().nth(at?)?.value.cast_unsigned().into())
+        }
         "C" if base != Base::Bool => Value::Int(plc.counters().nth(at?)?.value.into()),
         _ => return None,
     })

@@ -61,8 +61,8 @@ impl<'a> Checker<'a, '_, '_> {
             "uma ação termina com o seu último comando",
         );
         let help = (
-            "put what should be skipped in an IF",
-            "ponha em um IF o que não deve ser feito",
+            "put an IF around the statements to skip",
+            "ponha um IF em volta dos comandos a pular",
         );
         let words = ["RETURN".into(), why.into(), help.into()];
         self.builder.tell(Code::StChartPlace, at, words);

@@ -78,8 +78,8 @@ impl Checker<'_, '_, '_> {
                 .literal(Base::Int, unoclp_tree::Value::Int(0), name.span);
             let is = self.builder.tree.types.name(of);
             let help = (
-                "a range is a part of an integer type: INT(0..100)",
-                "um intervalo é uma parte de um tipo inteiro: INT(0..100)",
+                "write the range of an integer type: INT(0..100)",
+                "escreva o intervalo de um tipo inteiro: INT(0..100)",
             );
             let words = [
                 "( .. )".into(),

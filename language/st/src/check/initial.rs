@@ -39,8 +39,8 @@ impl Checker<'_, '_, '_> {
 
     fn told_form(&mut self, name: &Name, at: Span, like: &str) -> Option<Arc<Initial>> {
         let why = (
-            "the value does not have the form of the variable",
-            "o valor não tem a forma da variável",
+            "the value does not match the type of the variable",
+            "o valor não corresponde ao tipo da variável",
         );
         let help = both(
             format!("write it like {like}"),
@@ -145,8 +145,8 @@ impl Checker<'_, '_, '_> {
             };
             let Some((offset, ty)) = found else {
                 let help = (
-                    "write a name that its type declares",
-                    "escreva um nome que o tipo dele declara",
+                    "write the name of a member of its type",
+                    "escreva o nome de um membro do tipo dela",
                 );
                 let words = [
                     name.text.as_str().into(),

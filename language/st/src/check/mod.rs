@@ -133,8 +133,8 @@ fn is_program(text: &str, file: &File, found: &mut Found) -> bool {
     }
     let why: Word = match file.globals.is_empty() && file.types.is_empty() {
         false => (
-            "it has declarations, but no statements",
-            "há declarações, mas nenhum comando",
+            "the text has only declarations",
+            "o texto só tem declarações",
         )
             .into(),
         true => ("the text has no statements", "o texto não tem comandos").into(),

@@ -16,16 +16,16 @@ const ELEMENT: (&str, &str) = (
     "um SFC consiste só de INITIAL_STEP, STEP, TRANSITION e ACTION; escreva comandos em uma ACTION ou em um PROGRAM próprio",
 );
 const STEP: (&str, &str) = (
-    "a step is written STEP name: action(N); END_STEP",
-    "uma etapa se escreve STEP nome: ação(N); END_STEP",
+    "write a step like STEP name: action(N); END_STEP",
+    "escreva uma etapa como STEP nome: ação(N); END_STEP",
 );
 const TRANSITION: (&str, &str) = (
-    "a transition is written TRANSITION FROM a TO b := condition; END_TRANSITION",
-    "uma transição se escreve TRANSITION FROM a TO b := condição; END_TRANSITION",
+    "write a transition like TRANSITION FROM a TO b := condition; END_TRANSITION",
+    "escreva uma transição como TRANSITION FROM a TO b := condição; END_TRANSITION",
 );
 const ACTION: (&str, &str) = (
-    "an action is written ACTION name: statements END_ACTION",
-    "uma ação se escreve ACTION nome: comandos END_ACTION",
+    "write an action like ACTION name: statements END_ACTION",
+    "escreva uma ação como ACTION nome: comandos END_ACTION",
 );
 
 /// A part of a chart.
@@ -101,8 +101,8 @@ impl Parser<'_, '_> {
         }
         if kind == UnitKind::Function {
             let why = (
-                "a function keeps nothing from one call to the next",
-                "uma função não guarda nada de uma chamada para a outra",
+                "a function keeps no values between calls",
+                "uma função não guarda valores entre chamadas",
             );
             let help = ("write a FUNCTION_BLOCK", "escreva um FUNCTION_BLOCK");
             let written = self.short(at);
@@ -382,8 +382,8 @@ impl Parser<'_, '_> {
     /// `PRIORITY := 1)`
     fn priority(&mut self) -> Parsed<u32> {
         let help = (
-            "a priority is written (PRIORITY := 1); the lowest number goes first",
-            "uma prioridade se escreve (PRIORITY := 1); o menor número vai primeiro",
+            "write a priority like (PRIORITY := 1); the lowest number comes first",
+            "escreva uma prioridade como (PRIORITY := 1); o menor número vem primeiro",
         );
         if !self.accept_word("PRIORITY") {
             return Err(self.missing("PRIORITY", help));

@@ -68,8 +68,8 @@ impl Parser<'_, '_> {
             if self.keyword() == Keyword::EndRepeat {
                 let what = ("UNTIL with a condition", "UNTIL com uma condição");
                 let help = (
-                    "say when the loop ends: UNTIL x > 10 END_REPEAT",
-                    "diga quando o laço termina: UNTIL x > 10 END_REPEAT",
+                    "write the condition that ends the loop: UNTIL x > 10 END_REPEAT",
+                    "escreva a condição que encerra o laço: UNTIL x > 10 END_REPEAT",
                 );
                 self.missing(what, help);
                 self.next();

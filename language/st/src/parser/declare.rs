@@ -17,6 +17,9 @@ impl Parser<'_, '_> {
     /// VAR … END_VAR
     pub(super) fn section(&mut self) -> Vars {
         let start = self.token().span;
+        if self.keyword() == Keyword::VarAccess {
+            return self.access();
+        }
         let section = match self.keyword() {
             Keyword::VarInput => Section::Input,
             Keyword::VarOutput => Section::Output,
@@ -24,11 +27,11 @@ impl Parser<'_, '_> {
             Keyword::VarTemp => Section::Temp,
             Keyword::VarGlobal => Section::Global,
             Keyword::VarExternal => Section::External,
-            Keyword::VarAccess | Keyword::VarConfig => {
+            Keyword::VarConfig => {
                 let written = self.short(start);
                 let help = (
-                    "it belongs to a CONFIGURATION, and the board has none; delete it",
-                    "isso pertence a uma CONFIGURATION, que a placa não tem; apague-o",
+                    "it needs a CONFIGURATION, and the board has none; delete it",
+                    "ele depende de uma CONFIGURATION, que a placa não tem; apague-o",
                 );
                 self.tell(Code::StUnsupported, start, [written.into(), help.into()]);
                 Section::Var
@@ -54,6 +57,28 @@ impl Parser<'_, '_> {
         vars.decls = self.declarations(Keyword::EndVar, start);
         self.accept(Kind::Semicolon);
         vars
+    }
+
+    /// VAR_ACCESS … END_VAR: names by which others ask for variables. They change nothing of what the program does.
+    fn access(&mut self) -> Vars {
+        let start = self.next().span;
+        let written = self.short(start);
+        self.tell(Code::StAccess, start, [written.into()]);
+        while !self.accept_keyword(Keyword::EndVar) {
+            let keyword = self.keyword();
+            if self.is(Kind::End) || keyword.ends_unit() || keyword.begins_unit() {
+                let words = [self.short(start).into(), Keyword::EndVar.name().into()];
+                self.tell(Code::StNotClosed, start, words);
+                break;
+            }
+            self.next();
+        }
+        Vars {
+            section: Section::Var,
+            constant: false,
+            retain: false,
+            decls: Vec::new(),
+        }
     }
 
     /// Declarations up to their end.
@@ -169,10 +194,25 @@ impl Parser<'_, '_> {
             return;
         }
         let help = (
-            "it leaves the place open; write a point of the board, such as %IX0.0 or %QX0.0",
-            "isso deixa o lugar em aberto; escreva um ponto da placa, como %IX0.0 ou %QX0.0",
+            "it has no fixed address; write a point of the board, such as %IX0.0 or %QX0.0",
+            "ele não tem endereço fixo; escreva um ponto da placa, como %IX0.0 ou %QX0.0",
         );
         self.tell(Code::StUnsupported, at, [written.into(), help.into()]);
+    }
+
+    /// The names, and where they stand. A point may be declared without a name: then it is its own, `AT %QW5 : WORD`.
+    fn names(&mut self) -> Parsed<(Vec<Name>, Option<Name>)> {
+        if self.keyword() == Keyword::At
+            && self.ahead(1).kind == Kind::Address
+            && let Some(point) = self.located()?
+        {
+            return Ok((vec![point.clone()], Some(point)));
+        }
+        let mut names = vec![self.name(NAME, DECLARATION)?];
+        while self.accept(Kind::Comma) {
+            names.push(self.name(NAME, DECLARATION)?);
+        }
+        Ok((names, self.located()?))
     }
 
     pub(in super::super) fn declaration(&mut self) -> Parsed<Decl> {
@@ -192,11 +232,7 @@ impl Parser<'_, '_> {
                 return Err(Told);
             }
         }
-        let mut names = vec![self.name(NAME, DECLARATION)?];
-        while self.accept(Kind::Comma) {
-            names.push(self.name(NAME, DECLARATION)?);
-        }
-        let mut at = self.located()?;
+        let (names, mut at) = self.names()?;
         if self.is(Kind::Assign) || self.is(Kind::Equal) {
             let what = ("a type", "um tipo");
             return Err(self.missing(what, DECLARATION));

@@ -9,20 +9,20 @@ use unoclp_text::diagnostics::Code;
 fn meaning(upper: &str) -> Option<(&'static str, &'static str)> {
     Some(match upper {
         "METHOD" | "PROPERTY" => (
-            "it belongs to classes, which unoclp does not have; write a FUNCTION, or a FUNCTION_BLOCK with inputs",
-            "isto pertence a classes, que o unoclp não tem; escreva uma FUNCTION, ou um FUNCTION_BLOCK com entradas",
+            "unoclp has no classes; write a FUNCTION, or a FUNCTION_BLOCK with inputs",
+            "o unoclp não tem classes; escreva uma FUNCTION, ou um FUNCTION_BLOCK com entradas",
         ),
         "CLASS" | "INTERFACE" => (
             "unoclp has no classes; write a FUNCTION_BLOCK",
             "o unoclp não tem classes; escreva um FUNCTION_BLOCK",
         ),
         "EXTENDS" | "IMPLEMENTS" => (
-            "it belongs to classes, which unoclp does not have; declare an instance of the other block in this one",
-            "isto pertence a classes, que o unoclp não tem; declare neste bloco uma instância do outro",
+            "unoclp has no classes; declare an instance of the other block in this one",
+            "o unoclp não tem classes; declare neste bloco uma instância do outro",
         ),
         "NAMESPACE" => (
-            "unoclp has no namespaces; write the units without it",
-            "o unoclp não tem namespaces; escreva as unidades sem isto",
+            "unoclp has no namespaces; declare the units without one",
+            "o unoclp não tem namespaces; declare as unidades sem namespace",
         ),
         _ => return None,
     })

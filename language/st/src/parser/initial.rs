@@ -49,8 +49,8 @@ impl Parser<'_, '_> {
                 self.next();
                 let mut all = Vec::new();
                 let help = (
-                    "initial values of an array are written [1, 2, 3(0)]",
-                    "os valores iniciais de uma matriz se escrevem [1, 2, 3(0)]",
+                    "write the initial values of an array like [1, 2, 3(0)]",
+                    "escreva os valores iniciais de uma matriz como [1, 2, 3(0)]",
                 );
                 while !self.is(Kind::CloseSquare) {
                     all.push(self.element()?);
@@ -67,8 +67,8 @@ impl Parser<'_, '_> {
                 self.next();
                 let mut all = Vec::new();
                 let help = (
-                    "initial values of a structure are written (x := 1, y := 2)",
-                    "os valores iniciais de uma estrutura se escrevem (x := 1, y := 2)",
+                    "write the initial values of a structure like (x := 1, y := 2)",
+                    "escreva os valores iniciais de uma estrutura como (x := 1, y := 2)",
                 );
                 loop {
                     let span = self.token().span;
@@ -103,7 +103,10 @@ impl Parser<'_, '_> {
         }
         let inner = self.one_initial()?;
         // 2(1, 2) repeats both.
-        let help = ("close what is repeated", "feche o que se repete");
+        let help = (
+            "write ) after the repeated value",
+            "escreva ) depois do valor repetido",
+        );
         self.expect(Kind::Close, ")", help)?;
         Ok((Some(times), Some(inner)))
     }

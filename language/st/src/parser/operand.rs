@@ -51,7 +51,7 @@ impl Parser<'_, '_> {
                 let inner = self.expression();
                 self.closers.pop();
                 let mut inner = inner?;
-                let help = ("close what the ( opens", "feche o que o ( abre");
+                let help = ("write ) to match the (", "escreva o ) que corresponde ao (");
                 let close = self.expect(Kind::Close, ")", help)?;
                 inner.span = token.span.to(close);
                 Ok(inner)
@@ -81,8 +81,8 @@ impl Parser<'_, '_> {
                     None => {
                         let written = self.short(token.span);
                         let what = (
-                            "text: $ begins a two-digit code",
-                            "texto: $ inicia um código de dois dígitos",
+                            "string: write two hexadecimal digits after $",
+                            "string: escreva dois dígitos hexadecimais depois de $",
                         );
                         let like = ("'50 $$' for a $", "'50 $$' para um $");
                         self.tell(

@@ -31,8 +31,8 @@ impl Parser<'_, '_> {
         }
         let what = ("the name of a variable", "o nome de uma variável");
         let help = (
-            "write the intended variable",
-            "escreva a variável pretendida",
+            "write the name of the variable here",
+            "escreva aqui o nome da variável",
         );
         let name = self.name(what, help)?;
         let mut path = Path {
@@ -59,7 +59,7 @@ impl Parser<'_, '_> {
                 }
                 if token.kind != Kind::Word {
                     let what = ("the name of a member", "o nome de um membro");
-                    let help = ("write it after the point", "escreva-o depois do ponto");
+                    let help = ("write it after the dot", "escreva-o depois do ponto");
                     return Err(self.missing(what, help));
                 }
                 // A member may have a keyword's name.

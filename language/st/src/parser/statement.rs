@@ -165,8 +165,8 @@ impl Parser<'_, '_> {
                 };
                 let written = self.short(path.span);
                 let help = (
-                    "each of these words needs its counterpart: IF … THEN, WHILE … DO, CASE … OF",
-                    "cada uma destas palavras precisa do seu par: IF … THEN, WHILE … DO, CASE … OF",
+                    "complete the pair: IF … THEN, WHILE … DO, CASE … OF",
+                    "complete o par: IF … THEN, WHILE … DO, CASE … OF",
                 );
                 let words = [missing.into(), written.into(), help.into()];
                 self.tell(Code::StExpected, path.span, words);
@@ -207,14 +207,17 @@ impl Parser<'_, '_> {
             Kind::Colon => {
                 let what = ("`:=`", "`:=`");
                 let help = (
-                    "a value is stored with :=, without a space in it",
-                    "um valor se guarda com :=, sem espaço no meio",
+                    "to store a value, write := without a space",
+                    "para guardar um valor, escreva := sem espaço",
                 );
                 Err(self.missing(what, help))
             }
             Kind::Word | Kind::Number if !self.on_new_line() => {
                 let what = ("`:=`", "`:=`");
-                let help = ("a value is stored with :=", "um valor se guarda com :=");
+                let help = (
+                    "to store a value, write :=",
+                    "para guardar um valor, escreva :=",
+                );
                 Err(self.missing(what, help))
             }
             Kind::Arrow => {

@@ -84,7 +84,10 @@ impl Parser<'_, '_> {
 
     fn range(&mut self) -> Parsed<(Node, Node)> {
         let low = self.expression()?;
-        let help = ("a range is written 1..10", "um intervalo se escreve 1..10");
+        let help = (
+            "write a range like 1..10",
+            "escreva um intervalo como 1..10",
+        );
         if self.is(Kind::Colon) || self.is(Kind::Minus) || self.keyword() == Keyword::To {
             let span = self.next().span;
             let written = self.short(span);
@@ -143,8 +146,8 @@ impl Parser<'_, '_> {
 
     fn array(&mut self) -> Parsed<SpecKind> {
         const HELP: (&str, &str) = (
-            "an array is written ARRAY[1..10] OF INT",
-            "uma matriz se escreve ARRAY[1..10] OF INT",
+            "write an array like ARRAY[1..10] OF INT",
+            "escreva uma matriz como ARRAY[1..10] OF INT",
         );
         self.next();
         if self.is(Kind::Open) {
@@ -218,8 +221,8 @@ impl Parser<'_, '_> {
 
     fn type_declaration(&mut self) -> Parsed<TypeDecl> {
         let help = (
-            "a type is declared as Name : INT;",
-            "um tipo se declara como Nome : INT;",
+            "declare a type like Name : INT;",
+            "declare um tipo como Nome : INT;",
         );
         let name = self.name(NAME, help)?;
         self.expect(Kind::Colon, ":", help)?;

@@ -242,7 +242,7 @@ impl Parser<'_, '_> {
     }
 
     fn head(&mut self, kind: UnitKind) -> Parsed<(Name, Option<TypeSpec>)> {
-        let help = ("give it a name", "dê um nome a isso");
+        let help = ("write a name here", "escreva um nome aqui");
         let name = self.name(("a name", "um nome"), help)?;
         if self.other_dialect() {
             return Err(Told);

@@ -4,19 +4,19 @@ macro_rules! il_rows {
     ($next:ident $($rest:tt)*) => {
         $next! { $($rest)*
     11 StrayCharacter Error
-        "`{0}` means nothing in Instruction List"
+        "`{0}` is not a valid character in Instruction List"
         "delete it"
-        "`{0}` não significa nada em Lista de Instruções"
+        "`{0}` não é um caractere válido em Lista de Instruções"
         "apague-o";
     12 CommentOpen Error
         "this comment is never closed, so the rest of the text is part of it"
-        "write *) at its end"
-        "este comentário nunca é fechado, e o resto do texto faz parte dele"
-        "escreva *) no fim dele";
+        "close the comment with *)"
+        "este comentário não foi fechado, e o resto do texto faz parte dele"
+        "feche o comentário com *)";
     13 CommentSpaced Warning
-        "the comment was closed at `* )`, which has a space in it"
+        "`* )` was read as the end of the comment, although it has a space in it"
         "write *) without the space"
-        "o comentário foi fechado em `* )`, que tem um espaço"
+        "`* )` foi lido como o fim do comentário, embora tenha um espaço"
         "escreva *) sem o espaço";
     14 BadNumber Error
         "`{0}` is neither a 32-bit number nor a time"
@@ -24,10 +24,10 @@ macro_rules! il_rows {
         "`{0}` não é um número de até 32 bits nem um tempo"
         "escreva números como 20, 2#1010 ou 16#FF, e tempos como T#20s ou T#1h2m3s4ms";
     15 Fraction Error
-        "`{0}` has a fraction, but the board's numbers are whole"
-        "use a smaller unit: 25 tenths for 2.5, or declare a REAL. Addresses like 0.00 are OMRON addresses: use OMRON mnemonics to choose that dialect"
-        "`{0}` tem casas decimais, mas os números da placa são inteiros"
-        "use uma unidade menor: 25 décimos para 2,5, ou declare um REAL. Endereços como 0.00 são da OMRON: use os mnemônicos dela para escolher esse dialeto";
+        "`{0}` has a fraction, but a whole number is needed here"
+        "use a smaller unit (25 tenths for 2.5) or declare a REAL. For OMRON addresses like 0.00, use OMRON mnemonics"
+        "`{0}` tem casas decimais, mas aqui é preciso um número inteiro"
+        "use uma unidade menor (25 décimos para 2,5) ou declare um REAL. Para endereços da OMRON, como 0.00, use os mnemônicos dela";
     16 TimePrefix Error
         "`{0}` is a time, and times begin with T#"
         "write {1}"
@@ -39,9 +39,9 @@ macro_rules! il_rows {
         "`{0}` está sem unidade"
         "escreva {0}s para segundos ou {0}ms para milissegundos";
     18 DecimalComma Error
-        "`{0}` has a comma where a point belongs"
+        "`{0}` has a comma instead of a decimal point"
         "write {1}"
-        "`{0}` tem uma vírgula onde deve haver um ponto"
+        "`{0}` tem uma vírgula no lugar do ponto decimal"
         "escreva {1}";
     19 Commented Warning
         "`{0}` is ignored: everything after ; is a comment"
@@ -49,9 +49,9 @@ macro_rules! il_rows {
         "`{0}` não é executado: tudo depois de ; é comentário"
         "ponha-o em uma linha própria; se for um comentário, escreva (* antes e *) depois";
     20 OtherWord Error
-        "`{0}` is {1} in Instruction List"
+        "`{0}` is written {1} in Instruction List"
         "write {1}"
-        "`{0}` é {1} em Lista de Instruções"
+        "`{0}` se escreve {1} em Lista de Instruções"
         "escreva {1}";
     21 UnknownOperator Error
         "there is no operator `{0}`"
@@ -70,9 +70,9 @@ macro_rules! il_rows {
         "escreva cada instrução em uma linha própria: operador, operando, comentário";
     24 BadModifier Error
         "{0} cannot have the modifier {1}"
-        "N inverts an operand, C makes a jump conditional, ( defers an operation"
+        "use N to invert an operand, C with JMP, CAL or RET, and ( to defer an operation"
         "{0} não aceita o modificador {1}"
-        "N inverte um operando, C torna um desvio condicional, ( adia uma operação";
+        "use N para inverter um operando, C com JMP, CAL ou RET e ( para adiar operações";
     25 BadLabel Error
         "`{0}` cannot be a label: use a letter, then letters, digits or _, at most 16 characters"
         "choose a shorter, simpler name"
@@ -84,9 +84,9 @@ macro_rules! il_rows {
         "o rótulo `{0}` aparece duas vezes, e um desvio para ele seria ambíguo"
         "dê outro nome a um deles";
     27 NoSuchLabel Error
-        "there is no label `{0}` here to jump to"
+        "there is no label `{0}` to jump to"
         "{1}"
-        "não há aqui um rótulo `{0}` para onde desviar"
+        "não existe o rótulo `{0}` para este desvio"
         "{1}";
     28 LabelColon Warning
         "`{0}` looks like a label, but its colon is missing"
@@ -94,9 +94,9 @@ macro_rules! il_rows {
         "`{0}` parece um rótulo, mas faltam os dois-pontos"
         "escreva `{0}:`";
     29 Structure Error
-        "{0} is incomplete: its counterpart is missing"
+        "the counterpart of {0} is missing"
         "{1}"
-        "{0} está incompleto: falta o seu par"
+        "falta o par de {0}"
         "{1}";
     30 CommaMissing Error
         "a comma is missing before `{0}`"
@@ -104,20 +104,20 @@ macro_rules! il_rows {
         "falta uma vírgula antes de `{0}`"
         "escreva uma vírgula entre operandos: TON T1, 100";
     31 CloseWithoutOpen Error
-        "this ) closes nothing: no operation has been deferred"
-        "delete it, or write the matching ("
-        "este ) não fecha nada: nenhuma operação foi adiada"
-        "apague-o ou escreva o ( correspondente";
+        "this ) has no matching (, so no operation is deferred here"
+        "delete it, or write ( before it"
+        "este ) não tem um ( correspondente, e aqui não há operação adiada"
+        "apague-o ou escreva ( antes dele";
     32 LeftOpen Error
         "this ( is never closed, so the deferred operation never runs"
-        "write ) on a line of its own where it ends"
+        "write ) on a line of its own where the operation ends"
         "este ( nunca é fechado, e a operação adiada nunca é executada"
-        "escreva ) em uma linha própria onde ela termina";
+        "escreva ) em uma linha própria onde a operação termina";
     33 TooDeep Error
         "more than 8 deferred operations are nested"
-        "store a part of it in a marker first: ST M1"
-        "há mais de 8 operações adiadas e aninhadas"
-        "guarde antes uma parte em uma memória: ST M1";
+        "first store an intermediate result in a marker: ST M1"
+        "há mais de 8 operações adiadas aninhadas"
+        "guarde antes um resultado intermediário em uma memória: ST M1";
     34 InParentheses Error
         "{0} is not allowed between ( and )"
         "close the deferred operation first"
@@ -134,7 +134,7 @@ macro_rules! il_rows {
         "faltam os dois-pontos antes de `{0}`"
         "{1}";
     40 SamePoint Error
-        "`{0}` and `{1}` are the same {2}"
+        "`{0}` and `{1}` both name {2}"
         "use one notation, or check which point you mean"
         "`{0}` e `{1}` são o mesmo ponto: {2}"
         "use uma só notação, ou confira qual ponto você quer";
@@ -144,9 +144,9 @@ macro_rules! il_rows {
         "não existe o ponto `{0}` nesta placa"
         "{1}";
     42 Undeclared Warning
-        "`{0}` is not declared; it became a marker, {1}"
+        "`{0}` is not declared, so it became the marker {1}"
         "{2}"
-        "`{0}` não foi declarado; ele virou uma memória, {1}"
+        "`{0}` não foi declarado e virou a memória {1}"
         "{2}";
     43 NameTwice Error
         "`{0}` is declared twice"
@@ -155,13 +155,13 @@ macro_rules! il_rows {
         "dê outro nome a um deles";
     44 UnknownType Error
         "there is no type `{0}`"
-        "use BOOL, INT, DINT, REAL, TIME, TON, TOF, TP, TONR, CTU, CTD, CTUD, R_TRIG, F_TRIG, SR, RS or a FUNCTION_BLOCK of this file"
+        "use a type such as BOOL, INT or REAL, a block such as TON or CTU, or a type or FUNCTION_BLOCK of this file"
         "não existe o tipo `{0}`"
-        "use BOOL, INT, DINT, REAL, TIME, TON, TOF, TP, TONR, CTU, CTD, CTUD, R_TRIG, F_TRIG, SR, RS ou um FUNCTION_BLOCK deste arquivo";
+        "use um tipo como BOOL, INT ou REAL, um bloco como TON ou CTU, ou um tipo ou FUNCTION_BLOCK deste arquivo";
     45 NoSuchMember Error
-        "{0} has nothing called `{1}`"
+        "{0} has no member `{1}`"
         "{2}"
-        "{0} não tem nada chamado `{1}`"
+        "{0} não tem o membro `{1}`"
         "{2}";
     46 NotCallable Error
         "`{0}` cannot be called"
@@ -179,10 +179,10 @@ macro_rules! il_rows {
         "{0} é uma entrada: só o sensor dela pode mudá-la, por isso este armazenamento é ignorado"
         "armazene em uma saída (Q1) ou em uma memória (M1)";
     49 NoneLeft Error
-        "the board has no {0} left for this"
-        "the program uses all of them; use fewer"
-        "não sobrou {0} na placa para isto"
-        "o programa já usa todos; use menos";
+        "no {0} is left on the board for this operand"
+        "use fewer names without an address, or fewer counters"
+        "não sobrou {0} na placa para este operando"
+        "use menos nomes sem endereço ou menos contadores";
     50 BadInitial Error
         "`{0}` cannot have the initial value `{1}`: {2}"
         "change the value, or store it in the program while S1 is 1, in the first scan"
@@ -190,9 +190,9 @@ macro_rules! il_rows {
         "mude o valor ou armazene-o no programa enquanto S1 for 1, na primeira varredura";
     51 WrongType Error
         "{0} is {1}, but {2} is needed here"
-        "a comparison (GT, GE, EQ …) turns numbers into true or false"
+        "to get a bit from a number, compare it: GT, GE, EQ …"
         "{0} é {1}, mas aqui é preciso {2}"
-        "uma comparação (GT, GE, EQ …) transforma números em verdadeiro ou falso";
+        "para obter um bit de um número, compare-o: GT, GE, EQ …";
     52 NoSuchParameter Error
         "{0} has no parameter `{1}`"
         "{2}"
@@ -204,9 +204,9 @@ macro_rules! il_rows {
         "{0} precisa de {1}"
         "acrescente o parâmetro à chamada: CAL T1 (IN:=%IX1, PT:=T#20s), ou CAL C1 (CU:=%IX1, R:=%IX2, PV:=20)";
     54 PresetAssumed Warning
-        "{0} has no preset; it is {1}, as on a Twido"
+        "{0} has no preset; the compiler uses {1}, as on a Twido"
         "declare it: VAR {0} : {2} END_VAR"
-        "{0} não tem pré-seleção; ela fica em {1}, como em um Twido"
+        "{0} não tem pré-seleção; o valor usado é {1}, como em um Twido"
         "declare-a: VAR {0} : {2} END_VAR";
     55 RetentiveNumber Warning
         "on an S7-200, {0} is a retentive timer (TONR); here TON makes it an on-delay timer"
@@ -215,38 +215,38 @@ macro_rules! il_rows {
         "use T37 para um temporizador TON em passos de 100 ms, ou escreva TONR";
     56 Recursive Error
         "{0} calls itself, directly or through others, and would never end"
-        "a function may only call others; use a jump back for a loop"
+        "a function may only call others; for a loop, jump back"
         "{0} chama a si mesma, direta ou indiretamente, e nunca terminaria"
-        "uma função só pode chamar outras; para repetir, use um desvio para trás";
+        "uma função só pode chamar outras; para formar um laço, use um desvio para trás";
     57 BadValue Error
         "{0} must be {1}"
         "change the number"
         "{0} deve ser {1}"
         "mude o número";
     58 NeverCalled Error
-        "{0} is read, but nothing ever starts it"
+        "the program reads {0} but never starts it"
         "call it: CAL {0} (IN:=%IX1, PT:=T#20s)"
-        "{0} é lido, mas nada o aciona"
+        "o programa lê {0}, mas nunca o aciona"
         "chame-o: CAL {0} (IN:=%IX1, PT:=T#20s)";
     59 CallsTooDeep Error
-        "there are too many calls, or they are nested too deeply: each one copies a body into the program"
+        "there are too many calls, or they are nested too deeply: each call copies a whole body into the program"
         "call fewer functions from within functions"
-        "há chamadas demais, ou aninhadas demais: cada uma copia um corpo para o programa"
+        "há chamadas demais, ou aninhadas demais: cada chamada copia um corpo inteiro para o programa"
         "chame menos funções de dentro de funções";
     60 Stateless Error
-        "a function remembers nothing between calls, so it cannot contain {0}"
+        "a function keeps no values between calls, so it cannot contain {0}"
         "make it a FUNCTION_BLOCK, and declare one instance for each call"
-        "uma função não lembra nada entre chamadas, por isso não pode conter {0}"
-        "faça dela um FUNCTION_BLOCK e declare uma instância para cada chamada";
+        "uma função não guarda valores entre chamadas, por isso não pode conter {0}"
+        "transforme-a em um FUNCTION_BLOCK e declare uma instância para cada chamada";
     61 WrittenTwice Warning
-        "{0} is written again here; only the last store of a scan reaches the output"
+        "{0} is written again here; only the last value of a scan reaches the output"
         "combine the conditions with OR and write it once, or use S and R"
-        "{0} é escrito outra vez aqui; só o último armazenamento da varredura chega à saída"
+        "{0} é escrito outra vez aqui; só o último valor da varredura chega à saída"
         "junte as condições com OR e escreva uma só vez, ou use S e R";
     62 TimerTwice Warning
         "{0} is called again here, and each call runs the same timer"
         "call it once, with its conditions joined by OR, or use another timer here"
-        "{0} é chamado outra vez aqui, e cada chamada roda o mesmo temporizador"
+        "{0} é chamado outra vez aqui, e cada chamada executa o mesmo temporizador"
         "chame-o uma só vez, com as condições unidas por OR, ou use outro temporizador aqui";
     63 NeverRead Warning
         "the input `{0}` is declared, but the program never reads it"
@@ -254,50 +254,50 @@ macro_rules! il_rows {
         "a entrada `{0}` foi declarada, mas o programa nunca a lê"
         "leia-a com LD {0} ou apague a declaração";
     64 Unreachable Warning
-        "the program never gets here: it always jumps elsewhere first"
-        "write a label before it, or delete it"
-        "o programa nunca chega aqui: antes ele sempre desvia para outro lugar"
+        "the program never gets here: it always jumps, returns or ends first"
+        "write a label before this line, or delete the line"
+        "o programa nunca chega aqui: antes ele sempre desvia, retorna ou termina"
         "escreva um rótulo antes desta linha ou apague-a";
     65 ResultUnused Warning
-        "nothing uses this result: no ST comes before the next LD or the end"
-        "store it, or write AND or OR in place of the next LD"
-        "nada usa este resultado: não há ST antes do próximo LD ou do fim"
-        "armazene-o, ou escreva AND ou OR no lugar do próximo LD";
+        "this result is never used: there is no ST before the next LD or the end"
+        "store the result, or write AND or OR in place of the next LD"
+        "este resultado nunca é usado: não há ST antes do próximo LD ou do fim"
+        "armazene o resultado, ou escreva AND ou OR no lugar do próximo LD";
     66 Configuration Warning
-        "CONFIGURATION is ignored: the board runs one program, in every scan"
-        "delete it; the declarations of its VAR_GLOBAL still apply"
-        "CONFIGURATION é ignorada: a placa executa um só programa, em cada varredura"
-        "apague-a; as declarações do VAR_GLOBAL dela continuam valendo";
+        "CONFIGURATION is ignored: the board runs a single program, once in every scan"
+        "delete it, except for its VAR_GLOBAL, which still applies"
+        "CONFIGURATION é ignorada: a placa executa um só programa, uma vez por varredura"
+        "apague-a, exceto o seu VAR_GLOBAL, que continua valendo";
     67 PresetZero Warning
-        "{0} has no preset, so it is 0"
-        "write it in the call, as {1}, or declare it: VAR {0} : {2}; END_VAR"
-        "{0} não tem pré-seleção, por isso ela vale 0"
-        "escreva-a na chamada, como {1}, ou declare-a: VAR {0} : {2}; END_VAR";
+        "{0} has no preset; the compiler uses 0"
+        "write the preset in the call, as {1}, or declare it: VAR {0} : {2}; END_VAR"
+        "{0} não tem pré-seleção; o valor usado é 0"
+        "escreva a pré-seleção na chamada, como {1}, ou declare-a: VAR {0} : {2}; END_VAR";
     68 NoGlobal Warning
-        "no VAR_GLOBAL of this text declares `{0}`, so it is a variable of its own"
+        "no VAR_GLOBAL in this text declares `{0}`, so it becomes a separate variable"
         "declare it in VAR_GLOBAL … END_VAR, before PROGRAM; it may have an address there"
-        "nenhum VAR_GLOBAL deste texto declara `{0}`, por isso ela é uma variável à parte"
+        "nenhum VAR_GLOBAL deste texto declara `{0}`, que se torna uma variável à parte"
         "declare-a em VAR_GLOBAL … END_VAR, antes de PROGRAM; ali ela pode ter um endereço";
     69 Narrowed Warning
-        "{0} does not fit `{1}`, which is {2}; the value becomes {3}"
-        "declare `{1}` as DINT, or store a number that fits {2}"
+        "{0} does not fit in `{1}`, which is {2}; the value becomes {3}"
+        "declare `{1}` as DINT, or store a number that fits in {2}"
         "{0} não cabe em `{1}`, que é {2}; o valor passa a ser {3}"
-        "declare `{1}` como DINT ou armazene um número que {2} comporte";
+        "declare `{1}` como DINT ou armazene um número que caiba em {2}";
     71 DoesNotFit Error
         "from here on, the program does not fit on the board"
-        "it has {0} bytes of program memory and {1} bytes of run memory{2}. Timers and counters take the most space; retained variables need room for two records"
+        "the board has {0} bytes of program memory and {1} bytes of run memory{2}. Use fewer timers and counters, or retain fewer numbers: each retained number is stored twice"
         "daqui em diante o programa não cabe na placa"
-        "ela tem {0} bytes de memória de programa e {1} bytes de memória de execução{2}. Temporizadores e contadores são os que mais ocupam; variáveis retidas precisam de lugar para duas gravações";
+        "a placa tem {0} bytes de memória de programa e {1} bytes de memória de execução{2}. Use menos temporizadores e contadores, ou retenha menos números: cada número retido é guardado duas vezes";
     72 Refused Error
-        "this generates a code that is not allowed here: fault {0}, {1}"
-        "correct the codes after CODE, or avoid REAL on a Nano; docs/faults.md explains the fault"
-        "isto gera um código que não é permitido aqui: falha {0}, {1}"
-        "corrija os códigos depois de CODE, ou evite REAL em um Nano; docs/faults.pt-BR.md explica a falha";
+        "this line generates a code that is not allowed here: fault {0}, {1}"
+        "correct the codes after CODE, pair PUSH with POP, or avoid REAL on a Nano; docs/faults.md explains the fault"
+        "esta linha gera um código que não é permitido aqui: falha {0}, {1}"
+        "corrija os códigos depois de CODE, use um POP para cada PUSH, ou evite REAL em um Nano; docs/faults.pt-BR.md explica a falha";
     73 PinTwice Error
-        "the program also uses the pin of `{0}` in another way"
-        "I5 to I8 are the pins of IW0 to IW3, Q1 and Q4 those of QW1 and QW4: use each pin in one way"
-        "o programa também usa o pino de `{0}` de outro modo"
-        "I5 a I8 são os pinos de IW0 a IW3, e Q1 e Q4 os de QW1 e QW4: use cada pino de um só modo";
+        "the program also uses the pin of `{0}` for something else"
+        "Q1 and QW1 share a pin, for example; on a UNO or Nano, so do I5 and IW0: use each pin for one purpose"
+        "o programa também usa o pino de `{0}` para outra coisa"
+        "Q1 e QW1, por exemplo, usam o mesmo pino; no UNO e no Nano, I5 e IW0 também: use cada pino para um só fim";
     81 NoProgram Error
         "there is no program: {0}"
         "write at least an LD and an ST: LD I1, and ST Q1 on the next line"
@@ -315,14 +315,14 @@ macro_rules! il_rows {
         "escreva uma operação por linha: LD I1, AND I2 e ST Q1 para Q1 := I1 AND I2";
     84 NumericCode Error
         "`{0}` is numeric code, but this text is Instruction List"
-        "give the file a name that ends in .txt, or write CODE {0} for a code within a text"
+        "give the file a name that ends in .txt, or write CODE {0} to use one code in Instruction List"
         "`{0}` é código numérico, mas este texto é Lista de Instruções"
-        "dê ao arquivo um nome que termine em .txt, ou escreva CODE {0} para um código em um texto";
+        "dê ao arquivo um nome que termine em .txt, ou escreva CODE {0} para usar um código na Lista de Instruções";
     85 NotRetained Error
         "`{0}` cannot be RETAIN: {1}"
-        "declare it with VAR; only a number, a counter or a BOOL without an address can be retained"
+        "declare it with VAR. You can retain numbers, counters, bistables, and BOOL variables without an address or at M57 to M64"
         "`{0}` não pode ser RETAIN: {1}"
-        "declare-o com VAR; só podem ser retidos um número, um contador ou um BOOL sem endereço";
+        "declare-o com VAR. Podem ser retidos números, contadores, biestáveis e variáveis BOOL sem endereço ou em M57 a M64";
         }
     };
 }

@@ -4,24 +4,24 @@ macro_rules! iscl_rows {
     ($next:ident $($rest:tt)*) => {
         $next! { $($rest)*
     301 IsclOutside Error
-        "`{0}` is outside of BLOCO … END_BLOCK"
+        "`{0}` is outside BLOCO … END_BLOCK"
         "move it between the two: the whole program is one block"
         "`{0}` está fora de BLOCO … END_BLOCK"
         "coloque-o entre os dois: o programa inteiro é um bloco";
     302 IsclNamed Error
-        "a block has no name in InterSCL, so `{0}` does not belong here"
-        "delete it: BLOCO begins the program"
-        "um bloco não tem nome no InterSCL, por isso `{0}` sobra aqui"
-        "apague-o: BLOCO começa o programa";
+        "a block has no name in InterSCL, so `{0}` is not allowed here"
+        "delete it: the program begins with BLOCO"
+        "um bloco não tem nome no InterSCL; por isso `{0}` não é permitido aqui"
+        "apague-o: o programa começa com BLOCO";
     303 IsclTypeFirst Error
-        "in a declaration the type comes first, and then `{1}`"
+        "in a declaration, the type comes before `{1}`"
         "write {0} {1};"
-        "em uma declaração o tipo vem primeiro e depois `{1}`"
+        "em uma declaração, o tipo vem antes de `{1}`"
         "escreva {0} {1};";
     304 IsclOneName Error
-        "a declaration has one name, but `{2}` follows after a comma"
+        "a declaration has only one name, but `{2}` follows the comma"
         "write {0} {1}; {0} {2};"
-        "uma declaração tem um só nome, mas `{2}` vem depois de uma vírgula"
+        "uma declaração tem um só nome, mas `{2}` vem depois da vírgula"
         "escreva {0} {1}; {0} {2};";
     305 IsclFirstValue Error
         "a declaration cannot give `{1}` a value: all variables start at 0"
@@ -31,8 +31,8 @@ macro_rules! iscl_rows {
     306 IsclLate Error
         "`{0}` declares a variable, but statements come before it"
         "move it up, before the first statement"
-        "`{0}` declara uma variável, mas há comandos antes dela"
-        "mova-a para cima, antes do primeiro comando";
+        "`{0}` declara uma variável depois de um comando"
+        "mova a declaração para cima, antes do primeiro comando";
     307 IsclUndeclared Error
         "`{0}` is not declared"
         "{1}"
@@ -40,9 +40,9 @@ macro_rules! iscl_rows {
         "{1}";
     308 IsclNoElsif Error
         "InterSCL has no {0}"
-        "write ELSE, a second IF in it, and END_IF for each: ELSE IF … THEN … END_IF; END_IF"
+        "write ELSE, a second IF inside it, and an END_IF for each: ELSE IF … THEN … END_IF; END_IF"
         "o InterSCL não tem {0}"
-        "escreva ELSE, um segundo IF dentro dele, e END_IF para cada um: ELSE IF … THEN … END_IF; END_IF";
+        "escreva ELSE, um segundo IF dentro dele, e um END_IF para cada um: ELSE IF … THEN … END_IF; END_IF";
     309 IsclLacks Error
         "InterSCL has no `{0}`"
         "{1}"
@@ -54,9 +54,9 @@ macro_rules! iscl_rows {
         "não existe o tipo `{0}` no InterSCL"
         "use INT, REAL ou BOOL";
     311 IsclPrint Error
-        "PRINT takes the name of a variable, but `{0}` is not one"
+        "PRINT takes the name of a variable, but `{0}` is not a variable"
         "{1}"
-        "PRINT recebe o nome de uma variável, mas `{0}` não é um"
+        "PRINT recebe o nome de uma variável, mas `{0}` não é uma variável"
         "{1}";
     312 IsclSeparator Warning
         "a `;` is missing after this {0}"
@@ -69,9 +69,9 @@ macro_rules! iscl_rows {
         "este END_FOR encerra um WHILE"
         "escreva END_WHILE";
     314 IsclWrongEnd Error
-        "`{0}` does not end a {1}"
+        "`{0}` does not end this {1}"
         "write {2}"
-        "`{0}` não encerra um {1}"
+        "`{0}` não encerra este {1}"
         "escreva {2}";
     315 IsclChained Error
         "`{0}` is TRUE or FALSE and cannot be compared again"
@@ -79,9 +79,9 @@ macro_rules! iscl_rows {
         "`{0}` é TRUE ou FALSE e não pode ser comparado outra vez"
         "escreva {0} AND {1} {2} …";
     316 IsclMismatch Error
-        "`{0}` is {1}, and `{2}` is {3}"
+        "the types differ: `{0}` is {1}, but `{2}` is {3}"
         "{4}"
-        "`{0}` é {1}, e `{2}` é {3}"
+        "os tipos são diferentes: `{0}` é {1}, mas `{2}` é {3}"
         "{4}";
     317 IsclOperand Error
         "{0} takes {1}, but `{2}` is {3}"
@@ -95,14 +95,14 @@ macro_rules! iscl_rows {
         "declare INT {0};";
     319 IsclComma Error
         "`{0}` has a decimal comma"
-        "write a point: {1}"
+        "use a decimal point: {1}"
         "`{0}` tem vírgula decimal"
-        "escreva um ponto: {1}";
+        "use ponto decimal: {1}";
     320 IsclComment Warning
         "comments in InterSCL begin with //, but this one begins with {0}"
-        "write // before each line of it"
+        "write // before each line"
         "um comentário do InterSCL começa com //, mas este começa com {0}"
-        "escreva // antes de cada linha dele";
+        "escreva // antes de cada linha";
         }
     };
 }

@@ -5,9 +5,9 @@ macro_rules! lce_rows {
         $next! { $($rest)*
     401 LceNoName Warning
         "this {0} has no name"
-        "write one after it: {0} portao"
+        "write a name after it: {0} portao"
         "este {0} não tem nome"
-        "escreva um depois dele: {0} portao";
+        "escreva um nome depois dele: {0} portao";
     402 LceBehind Error
         "`{0}` comes after {1}, which ends the program"
         "move it up, before {1}"
@@ -19,9 +19,9 @@ macro_rules! lce_rows {
         "`{0}` é uma constante, mas aqui é preciso uma variável"
         "{1}";
     404 LceUndeclared Error
-        "`{0}` is not a known name"
+        "the name `{0}` is not defined"
         "{1}"
-        "o nome `{0}` não existe"
+        "o nome `{0}` não foi definido"
         "{1}";
     405 LceNoPoint Error
         "there is no point `{0}` on this board"
@@ -30,9 +30,9 @@ macro_rules! lce_rows {
         "{1}";
     406 LceInput Error
         "nothing can be stored in `{0}`: only a sensor can change an input"
-        "store in an output (Q0.0), a marker (M0.0) or a variable (V0)"
+        "use an output (Q0.0), a marker (M0.0) or a variable (V0)"
         "não se pode guardar nada em `{0}`: só um sensor pode mudar uma entrada"
-        "guarde em uma saída (Q0.0), uma memória (M0.0) ou uma variável (V0)";
+        "use uma saída (Q0.0), uma memória (M0.0) ou uma variável (V0)";
     407 LceTypeApart Error
         "the type `{0}` is separated from its operator"
         "write {0}{1} without a space"
@@ -44,9 +44,9 @@ macro_rules! lce_rows {
         "falta um espaço ao lado de `{0}`"
         "deixe um entre o operador e cada operando: V0 {0} V1";
     409 LceRealLogic Error
-        "`R{0}` does not exist: {0} combines bits, and a number of type R has none"
+        "`R{0}` does not exist: {0} works on bits, and R is not a bit type"
         "write {0}, or W{0} or B{0} for 16 or 8 bits"
-        "`R{0}` não existe: {0} combina bits, e um número do tipo R não os tem"
+        "`R{0}` não existe: {0} opera sobre bits, e R não é um tipo de bits"
         "escreva {0}, ou W{0} ou B{0} para 16 ou 8 bits";
     410 LceVarForm Error
         "`{0}` does not name a place"
@@ -69,14 +69,14 @@ macro_rules! lce_rows {
         "`{0}` perde as casas decimais: `{1}` trabalha com números inteiros"
         "escreva R{2}";
     414 LceRange Error
-        "{0} does not fit D, which goes from -2147483648 to 2147483647"
+        "{0} does not fit in D, which ranges from -2147483648 to 2147483647"
         "write it as R, with a decimal point: {0}.0"
         "{0} não cabe em D, que vai de -2147483648 a 2147483647"
         "escreva-o como R, com ponto decimal: {0}.0";
     415 LceNegative Error
-        "`-{0}` is not allowed: numbers with 2# and 16# are never negative"
+        "`-{0}` is not allowed: numbers with 2# and 16# take no minus sign"
         "write it as a decimal number: -{1}"
-        "`-{0}` não é permitido: números com 2# e 16# nunca são negativos"
+        "`-{0}` não é permitido: números com 2# e 16# não recebem sinal de menos"
         "escreva em decimal: -{1}";
     416 LceSignApart Warning
         "a space separates this sign from its number"
@@ -84,14 +84,14 @@ macro_rules! lce_rows {
         "um espaço separa este sinal do número"
         "escreva -{0}";
     417 LceSignOfName Error
-        "only a number can have a sign, and `{0}` is not one"
+        "a sign can only be written before a number, not before `{0}`"
         "subtract it from 0: 0 - {0}"
-        "só um número pode ter sinal, e `{0}` não é um"
+        "um sinal só pode ser escrito antes de um número, e não antes de `{0}`"
         "subtraia de 0: 0 - {0}";
     418 LceTwoCoils Warning
-        "`{0}` has a second coil here, and the last one wins"
-        "join their conditions with |, or write liga and desliga"
-        "`{0}` tem uma segunda bobina aqui, e vale a última"
+        "this is another coil of `{0}`; only the last one takes effect"
+        "combine the conditions with |, or write liga and desliga"
+        "esta é mais uma bobina de `{0}`; só a última tem efeito"
         "junte as condições com | ou escreva liga e desliga";
     419 LceBraces Error
         "write the statements of `{0}` between {1}"
@@ -104,9 +104,9 @@ macro_rules! lce_rows {
         "a LCE não tem `{0}`"
         "{1}";
     421 LceLetter Error
-        "`{0}` is not the type of an operator"
+        "`{0}` is not an LCE type"
         "use R, D, W or B, in capitals: {1}"
-        "`{0}` não é um tipo de operador"
+        "`{0}` não é um tipo da LCE"
         "use R, D, W ou B, em maiúscula: {1}";
     422 LceChained Error
         "`{0}` is true or false and cannot be compared again"
@@ -115,14 +115,14 @@ macro_rules! lce_rows {
         "escreva ({0}) & ({1} {2} …)";
     423 LceComma Error
         "`{0}` has a decimal comma"
-        "write a point: {1}"
+        "use a decimal point: {1}"
         "`{0}` tem vírgula decimal"
-        "escreva um ponto: {1}";
+        "use ponto decimal: {1}";
     424 LceComment Warning
         "comments in LCE begin with //, but this one begins with {0}"
-        "write // before each line of it"
+        "write // before each line"
         "um comentário da LCE começa com //, mas este começa com {0}"
-        "escreva // antes de cada linha dele";
+        "escreva // antes de cada linha";
         }
     };
 }

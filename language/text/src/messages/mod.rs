@@ -1,7 +1,7 @@
 //! All messages about a text, each with a stable code and its words in two languages.
 //!
-//! `{0}`, `{1}` stand for what the place in the text adds. A code that has been published never changes
-//! its meaning. Each file here is a table: its rows, handed on to the next table and at last to `messages!`.
+//! The compiler fills in `{0}` and `{1}`. A code that has been published never changes its meaning. Each file here
+//! is a table, which hands its rows on to the next table; the last one hands all of them to `messages!`.
 //!
 //! - `il`: Instruction List, 11 to 99; `docs/il-diagnostics.md` and its translation have an entry for each
 //! - `st`: Structured Text and what the typed languages share, 101 to 299; `docs/st-diagnostics.md` likewise
@@ -30,7 +30,7 @@ use crate::severity::Severity;
 pub struct Words {
     /// What is wrong, in a sentence without a full stop.
     pub message: &'static str,
-    /// What to do about it; empty where there is nothing to say.
+    /// What to do about it; may be empty.
     pub help: &'static str,
 }
 
@@ -87,7 +87,7 @@ const fn table(number: u16) -> &'static str {
     }
 }
 
-/// No number stands twice.
+/// No number appears twice.
 const _: () = {
     let mut next = 1;
     while next < Code::ALL.len() {
@@ -97,7 +97,7 @@ const _: () = {
 };
 
 impl Code {
-    /// What a language from elsewhere says, by a row of its own table.
+    /// The code of a row in the table of a language from elsewhere.
     pub const fn of(row: &'static Row) -> Code {
         Code(row)
     }
@@ -107,7 +107,7 @@ impl Code {
         self.0.number
     }
 
-    /// Whether the text can be compiled all the same.
+    /// Whether the text can be compiled anyway.
     pub const fn severity(self) -> Severity {
         self.0.severity
     }

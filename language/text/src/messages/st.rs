@@ -4,29 +4,29 @@ macro_rules! st_rows {
     ($next:ident $($rest:tt)*) => {
         $next! { $($rest)*
     101 StStray Error
-        "`{0}` means nothing in {1}"
+        "`{0}` is not a valid character in {1}"
         "delete it"
-        "`{0}` não significa nada em {1}"
+        "`{0}` não é um caractere válido em {1}"
         "apague-o";
     102 StCommentOpen Error
         "this comment is never closed, so the rest of the text is part of it"
-        "write *) at its end"
-        "este comentário nunca é fechado, e o resto do texto faz parte dele"
-        "escreva *) no fim dele";
+        "close the comment with *), or with */ if it begins with /*"
+        "este comentário não foi fechado, e o resto do texto faz parte dele"
+        "feche o comentário com *), ou com */ se ele começa com /*";
     103 StTextOpen Error
-        "this string has no closing {0} on its line"
-        "write {0} at its end"
-        "este texto não tem {0} de fechamento na sua linha"
-        "escreva {0} no fim dele";
+        "this string has no closing {0} on the same line"
+        "write {0} at the end of the string"
+        "esta string não tem o {0} de fechamento na mesma linha"
+        "escreva {0} no fim da string";
     104 StLiteral Error
         "`{0}` is not a valid {1}"
         "write it like {2}"
-        "`{0}` não é {1} válido"
+        "`{0}` não vale como {1}"
         "escreva como {2}";
     105 StOtherWord Error
-        "`{0}` is written {1} here"
+        "`{0}` should be {1} here"
         "write {1}"
-        "`{0}` se escreve {1} aqui"
+        "`{0}` deve ser {1} aqui"
         "escreva {1}";
     106 StExpected Error
         "{0} is missing before `{1}`"
@@ -40,56 +40,56 @@ macro_rules! st_rows {
         "{1}";
     108 StNotClosed Error
         "this {0} has no {1}"
-        "write {1}; at the end of the part that `{0}` begins"
+        "where this {0} should end, write {1};"
         "este {0} não tem {1}"
-        "escreva {1}; onde termina a parte que `{0}` começa";
+        "onde este {0} deve terminar, escreva {1};";
     109 StStrayEnd Error
-        "`{0}` ends nothing here"
-        "delete it, or write the matching {1}"
-        "`{0}` não encerra nada aqui"
-        "apague-o ou escreva o {1} correspondente";
+        "`{0}` has no matching {1}"
+        "delete it, or write {1} before it"
+        "`{0}` não tem o {1} correspondente"
+        "apague-o ou escreva {1} antes dele";
     110 StEqualsForAssign Error
-        "`=` compares, but this line should store a value"
+        "`=` compares two values, but an assignment is needed here"
         "write {0} := …"
-        "`=` compara, mas esta linha deve guardar um valor"
+        "`=` compara dois valores, mas aqui é preciso uma atribuição"
         "escreva {0} := …";
     111 StAssignForEquals Error
-        "`:=` stores a value, but two values are compared here"
+        "`:=` assigns a value, but a comparison is needed here"
         "write ="
-        "`:=` guarda um valor, mas aqui se comparam dois valores"
+        "`:=` atribui um valor, mas aqui é preciso uma comparação"
         "escreva =";
     112 StNoEffect Error
-        "the program does nothing with the value `{0}`"
+        "the value of `{0}` is not used"
         "store it: x := {0};"
-        "o programa não faz nada com o valor `{0}`"
+        "o valor de `{0}` não é usado"
         "guarde-o: x := {0};";
     113 StTooDeep Error
-        "this is nested too deeply"
-        "move a part of it into a variable, a function or a block"
+        "there are too many levels of nesting here"
+        "use variables, functions or blocks for parts of the code"
         "há níveis demais de aninhamento aqui"
-        "passe uma parte para uma variável, uma função ou um bloco";
+        "use variáveis, funções ou blocos para partes do código";
     114 StReserved Error
         "`{0}` is a keyword and cannot be a name"
         "choose another name, such as {0}1"
         "`{0}` é uma palavra reservada e não pode ser um nome"
         "escolha outro nome, como {0}1";
     115 StTypeFirst Error
-        "in a declaration the name comes first, then the type"
+        "in a declaration, the name comes first, then the type"
         "write {1} : {0};"
-        "em uma declaração o nome vem primeiro e depois o tipo"
+        "em uma declaração, o nome vem primeiro e depois o tipo"
         "escreva {1} : {0};";
     116 StPassedOver Warning
         "{0} is ignored: each PROGRAM runs once in every scan"
-        "the board has no tasks; no change is needed"
+        "the board has no tasks; write the programs in the order in which they should run"
         "{0} é ignorado: cada PROGRAM é executado uma vez por varredura"
-        "a placa não tem tarefas; não é preciso mudar nada";
+        "a placa não tem tarefas; escreva os programas na ordem em que devem ser executados";
     117 StUnsupported Error
         "{0} cannot be used here"
         "{1}"
         "{0} não pode ser usado aqui"
         "{1}";
     118 StOutside Error
-        "`{0}` is outside of any program"
+        "`{0}` is outside any program"
         "move it between PROGRAM and END_PROGRAM"
         "`{0}` está fora de qualquer programa"
         "coloque-o entre PROGRAM e END_PROGRAM";
@@ -105,49 +105,49 @@ macro_rules! st_rows {
         "escreva PROGRAM principal, os comandos e END_PROGRAM";
     121 StLongIf Error
         "this IF has too many ELSIF parts"
-        "use CASE, or write several IF statements: at most {0} can be nested, ELSIF included"
+        "use CASE, or several IF statements: at most {0} can be nested, counting each ELSIF"
         "este IF tem ELSIF demais"
-        "use CASE ou escreva vários IF: no máximo {0} podem ficar um dentro do outro, inclusive os ELSIF";
+        "use CASE ou vários IF: no máximo {0} podem ser aninhados, contando cada ELSIF";
     122 StLongNames Error
-        "together, the names of all parts of `{0}` are too long"
+        "the names of all parts of `{0}` are too long in total"
         "use shorter names or a smaller array"
-        "juntos, os nomes de todas as partes de `{0}` são longos demais"
+        "os nomes de todas as partes de `{0}`, somados, são longos demais"
         "use nomes mais curtos, ou uma matriz menor";
     123 StForeignUnit Warning
-        "`{0}` contains C code and is ignored: nothing uses it"
+        "`{0}` contains C code; it is ignored, because nothing uses it"
         "no change is needed"
-        "`{0}` contém código em C e é ignorado: nada o usa"
+        "`{0}` contém código em C; ele é ignorado, porque nada o usa"
         "não é preciso mudar nada";
     124 StForeignCode Error
         "`{0}` contains C code in braces, which the board does not run"
-        "write it in Structured Text, or delete what uses it"
+        "rewrite it in Structured Text, or delete the code that uses it"
         "`{0}` contém código em C entre chaves, que a placa não executa"
-        "escreva-o em Texto Estruturado, ou apague o que o usa";
+        "reescreva-o em Texto Estruturado, ou apague o código que o usa";
     125 StInputWritten Warning
-        "`{0}` is an input of this unit, and the unit changes it"
-        "use a variable of its own: VAR x : INT; END_VAR"
-        "`{0}` é uma entrada desta unidade, e a unidade a altera"
-        "use uma variável própria: VAR x : INT; END_VAR";
+        "this unit changes its own input `{0}`"
+        "use a local variable instead: VAR x : INT; END_VAR"
+        "esta unidade altera a sua própria entrada `{0}`"
+        "use uma variável local: VAR x : INT; END_VAR";
     126 StInputFirst Warning
-        "only the board changes `{0}`, so its initial value is ignored"
-        "leave it out: the board reads its inputs before the first scan"
-        "só a placa muda `{0}`, e por isso o seu valor inicial é ignorado"
-        "retire-o: a placa lê as entradas antes da primeira varredura";
+        "the board sets `{0}`, so its initial value is ignored"
+        "remove the initial value: the board reads its inputs before the first scan"
+        "a placa define o valor de `{0}`, e por isso o valor inicial é ignorado"
+        "retire o valor inicial: a placa lê as entradas antes da primeira varredura";
     127 StMoved Warning
         "no board has the point `{0}`; on the PC it is `{1}`"
-        "unoclp adapt writes a copy with points of a board"
+        "run unoclp adapt to create a copy with the points of a board"
         "nenhuma placa tem o ponto `{0}`; no PC ele é `{1}`"
-        "unoclp adapt escreve uma cópia com pontos de uma placa";
+        "execute unoclp adapt para criar uma cópia com os pontos de uma placa";
     128 StInputStored Warning
-        "`{0}` is an input, and a value stored there lasts only until the next scan"
+        "`{0}` is an input, and a value stored in it lasts only until the next scan"
         "the board reads its inputs before each scan; use a variable without an address"
-        "`{0}` é uma entrada, e o que se guarda nela só dura até a próxima varredura"
+        "`{0}` é uma entrada, e um valor guardado nela só dura até a próxima varredura"
         "a placa lê as entradas antes de cada varredura; use uma variável sem endereço";
     129 StLibrary Warning
         "there is no program here: functions and function blocks do nothing until a program calls them"
-        "write PROGRAM main, its statements, and END_PROGRAM, if it is to run"
+        "to run them, add PROGRAM main, its statements, and END_PROGRAM"
         "não há programa aqui: funções e blocos de funções não fazem nada até que um programa os chame"
-        "escreva PROGRAM principal, os comandos e END_PROGRAM, se for para executar";
+        "para executá-los, acrescente PROGRAM principal, os comandos e END_PROGRAM";
     130 StUndeclared Error
         "`{0}` is not declared"
         "{1}"
@@ -155,9 +155,9 @@ macro_rules! st_rows {
         "{1}";
     131 StNameTwice Error
         "`{0}` is declared twice"
-        "give one of them another name"
+        "rename one of the two"
         "`{0}` foi declarado duas vezes"
-        "dê outro nome a um deles";
+        "mude o nome em uma das declarações";
     132 StUnknownType Error
         "there is no type `{0}`"
         "{1}"
@@ -171,7 +171,7 @@ macro_rules! st_rows {
     134 StNoValue Error
         "`{0}` is {1} and has no value of its own"
         "{2}"
-        "`{0}` é {1} e não tem um valor próprio"
+        "`{0}` é {1} e não tem valor próprio"
         "{2}";
     135 StNotCallable Error
         "`{0}` cannot be called: it is {1}"
@@ -184,19 +184,19 @@ macro_rules! st_rows {
         "não se pode guardar nada em `{0}`: é {1}"
         "{2}";
     137 StRecursive Error
-        "`{0}` {1} itself, directly or through others, and would never end"
-        "to repeat statements, use a loop: FOR, WHILE or REPEAT"
-        "`{0}` {1} a si mesmo, direta ou indiretamente, e nunca terminaria"
-        "para repetir comandos, use um laço: FOR, WHILE ou REPEAT";
+        "`{0}` {1} itself, directly or through others, which is not allowed"
+        "break the cycle; to repeat, use FOR, WHILE or REPEAT"
+        "`{0}` {1} a si mesmo, direta ou indiretamente, o que não é permitido"
+        "desfaça o ciclo; para repetir, use FOR, WHILE ou REPEAT";
     138 StBadAddress Error
         "there is no point `{0}` on this board"
         "{1}"
         "não existe o ponto `{0}` nesta placa"
         "{1}";
     139 StAddressType Error
-        "`{0}` is {1}, and the variable is {2}"
+        "`{0}` is {1}, but the variable is {2}"
         "declare it as {3}"
-        "`{0}` é {1}, e a variável é {2}"
+        "`{0}` é {1}, mas a variável é {2}"
         "declare-a como {3}";
     140 StGeneric Error
         "`{0}` is a group of types, but a variable needs one type"
@@ -209,7 +209,7 @@ macro_rules! st_rows {
         "`{0}` é um valor de mais de uma enumeração"
         "escreva o tipo antes dele: {1}#{0}";
     142 StSamePoint Error
-        "`{0}` and `{1}` are the same {2}"
+        "`{0}` and `{1}` both name {2}"
         "use one notation, or check which point you mean"
         "`{0}` e `{1}` são o mesmo ponto: {2}"
         "use uma só notação, ou confira qual ponto você quer";
@@ -219,9 +219,9 @@ macro_rules! st_rows {
         "`{0}` é {1}, mas aqui é preciso {2}"
         "{3}";
     151 StOperand Error
-        "{0} needs {1}, and `{2}` is {3}"
+        "{0} needs {1}, but `{2}` is {3}"
         "{4}"
-        "{0} precisa de {1}, e `{2}` é {3}"
+        "{0} precisa de {1}, mas `{2}` é {3}"
         "{4}";
     152 StNoCommon Error
         "{0} cannot combine {1} and {2}: one of them would lose part of its value"
@@ -229,29 +229,29 @@ macro_rules! st_rows {
         "{0} não pode combinar {1} e {2}: um deles perderia parte do valor"
         "converta um deles: {3}";
     153 StOutOfRange Error
-        "{0} does not fit {1}, which goes from {2} to {3}"
-        "use a smaller number or a larger type"
+        "{0} does not fit in {1}, which goes from {2} to {3}"
+        "use a number in range, or another type"
         "{0} não cabe em {1}, que vai de {2} a {3}"
-        "use um número menor ou um tipo maior";
+        "use um valor da faixa ou outro tipo";
     154 StCondition Error
         "a condition must be TRUE or FALSE, but `{0}` is {1}"
-        "compare it with something: {0} {2}"
+        "compare it with a value: {0} {2}"
         "uma condição deve ser TRUE ou FALSE, mas `{0}` é {1}"
-        "compare com alguma coisa: {0} {2}";
+        "compare com um valor: {0} {2}";
     155 StDivisionByZero Error
-        "this divides by 0"
-        "divide by something else"
-        "isto divide por 0"
-        "divida por outra coisa";
+        "this expression divides by 0"
+        "use a divisor other than 0"
+        "esta expressão divide por 0"
+        "use um divisor diferente de 0";
     156 StSubscript Error
         "the subscript {0} is out of the range of `{1}`, which goes from {2} to {3}"
-        "use one from {2} to {3}, or declare a larger array"
-        "o índice {0} está fora de `{1}`, que vai de {2} a {3}"
-        "use um de {2} a {3} ou declare uma matriz maior";
+        "use a subscript from {2} to {3}, or declare a larger array"
+        "o índice {0} está fora dos limites de `{1}`, que vão de {2} a {3}"
+        "use um índice de {2} a {3} ou declare uma matriz maior";
     157 StDimensions Error
         "`{0}` takes {1}, but gets {2} here"
         "write {3}"
-        "`{0}` recebe {1}, mas aqui são {2}"
+        "`{0}` usa {1}, mas aqui há {2}"
         "escreva {3}";
     158 StNotArray Error
         "`{0}` is {1} and takes no subscript"
@@ -259,9 +259,9 @@ macro_rules! st_rows {
         "`{0}` é {1} e não aceita índice"
         "declare-o como ARRAY[1..10] OF {1} ou tire os [ ]";
     159 StNotConstant Error
-        "`{0}` must be known before the program runs"
+        "`{0}` must be a constant"
         "write a number, or a name declared with VAR CONSTANT"
-        "`{0}` precisa ser conhecido antes de o programa rodar"
+        "`{0}` precisa ser uma constante"
         "escreva um número ou um nome declarado com VAR CONSTANT";
     160 StNoConversion Error
         "there is no conversion `{0}`"
@@ -285,23 +285,23 @@ macro_rules! st_rows {
         "use uma matriz menor";
     164 StCaseTwice Error
         "{0} appears twice in this CASE"
-        "delete one of them"
+        "delete one"
         "{0} aparece duas vezes neste CASE"
-        "apague um deles";
+        "apague uma das ocorrências";
     165 StStepZero Error
-        "with a step of 0 this loop never ends"
+        "with a step of 0, this loop never ends"
         "write BY 1 or BY -1"
-        "com um passo de 0 este laço nunca termina"
+        "com um passo de 0, este laço nunca termina"
         "escreva BY 1 ou BY -1";
     166 StForVariable Error
         "FOR needs a variable of an integer type, but `{0}` is {1}"
-        "declare a variable for it: i : INT;"
+        "declare an integer variable for the loop: i : INT;"
         "FOR precisa de uma variável de tipo inteiro, mas `{0}` é {1}"
-        "declare uma variável para isso: i : INT;";
+        "declare uma variável inteira para o laço: i : INT;";
     167 StForChanged Warning
         "`{0}` is the control variable of this FOR loop, so the loop must not change it"
         "change another variable, or write WHILE"
-        "`{0}` é a variável de controle deste FOR, e o laço não pode mudá-la"
+        "`{0}` é a variável de controle deste FOR, e o laço não deve mudá-la"
         "mude outra variável ou escreva WHILE";
     168 StNoLoop Error
         "{0} is not in a loop"
@@ -311,7 +311,7 @@ macro_rules! st_rows {
     169 StArguments Error
         "{0} takes {1}, but gets {2}"
         "{3}"
-        "{0} recebe {1}, mas aqui são {2}"
+        "{0} recebe {1}, mas aqui há {2}"
         "{3}";
     170 StNoParameter Error
         "{0} has no parameter `{1}`"
@@ -320,13 +320,13 @@ macro_rules! st_rows {
         "{2}";
     171 StParameterTwice Error
         "the parameter `{0}` appears twice"
-        "delete one of them"
+        "delete one"
         "o parâmetro `{0}` aparece duas vezes"
-        "apague um deles";
+        "apague uma das ocorrências";
     172 StDirection Error
-        "`{0}` is {1} of {2}, which is written with {3}"
+        "`{0}` is {1} of {2} and must be written with {3}"
         "write {0} {3} …"
-        "`{0}` é {1} de {2}, que se escreve com {3}"
+        "`{0}` é {1} de {2} e precisa ser usada com {3}"
         "escreva {0} {3} …";
     173 StMixed Error
         "this call mixes parameters with and without names"
@@ -334,14 +334,14 @@ macro_rules! st_rows {
         "esta chamada mistura parâmetros com nome e sem nome"
         "escreva o nome de cada um: {0}";
     174 StNeedsVariable Error
-        "{0} changes the variable given for `{1}`, but `{2}` is not a variable"
+        "`{1}` needs a variable, but `{2}` is not one"
         "pass a variable of the same type"
-        "{0} muda a variável que recebe em `{1}`, mas `{2}` não é uma variável"
+        "`{1}` precisa de uma variável, mas `{2}` não é uma"
         "passe uma variável do mesmo tipo";
     175 StMissing Error
-        "{0} needs `{1}`"
+        "this call of {0} has no variable for `{1}`"
         "write {1} := …"
-        "{0} precisa de `{1}`"
+        "esta chamada de {0} não tem uma variável para `{1}`"
         "escreva {1} := …";
     176 StResultUnused Warning
         "the result of `{0}` is not used"
@@ -355,88 +355,88 @@ macro_rules! st_rows {
         "guarde-o antes do fim: {0} := …;";
     180 StTypeCalled Error
         "{0} is a function block type; a call needs an instance"
-        "declare one, {1} : {0}; and call it: {1}(…);"
+        "declare {1} : {0}; and then call {1}(…);"
         "{0} é um tipo de bloco de funções; a chamada precisa de uma instância"
-        "declare uma, {1} : {0}; e chame-a: {1}(…);";
+        "declare {1} : {0}; e depois chame {1}(…);";
     181 StStateless Error
-        "a function remembers nothing between calls, so it cannot contain `{0}`"
-        "make it a FUNCTION_BLOCK"
-        "uma função não lembra nada entre chamadas, por isso não pode conter `{0}`"
-        "faça dela um FUNCTION_BLOCK";
+        "a function keeps no values between calls, so it cannot contain `{0}`"
+        "make the function a FUNCTION_BLOCK"
+        "uma função não guarda valores entre chamadas, por isso não pode conter `{0}`"
+        "transforme a função em um FUNCTION_BLOCK";
     182 StBlockSubscript Error
         "the subscript of an array of blocks must be a constant"
         "write a number between the [ ]"
         "o índice de uma matriz de blocos deve ser constante"
         "escreva um número entre os [ ]";
     183 StSharedWhole Error
-        "`{0}` is {1}; only variables without parts can be compared or used in calculations"
+        "`{0}` is {1}; only single values can be compared or used in calculations"
         "use one of its parts: {2}"
-        "`{0}` é {1}; só variáveis sem partes podem ser comparadas ou usadas em cálculos"
+        "`{0}` é {1}; só valores simples podem ser comparados ou usados em cálculos"
         "use uma das partes: {2}";
     184 StNothingWritten Warning
         "the program changes nothing: no statement stores a value or calls a block"
-        "store something: lamp := start;"
+        "store a value: lamp := start;"
         "o programa não muda nada: nenhum comando guarda um valor nem chama um bloco"
-        "guarde alguma coisa: lampada := liga;";
+        "guarde um valor: lampada := liga;";
     201 BoardType Error
-        "the board cannot store `{0}`: it has no {1}"
+        "the board does not support {1}, the type of `{0}`"
         "{2}; unoclp run supports all types"
-        "a placa não consegue guardar `{0}`: ela não tem {1}"
+        "a placa não aceita {1}, o tipo de `{0}`"
         "{2}; o unoclp run aceita todos os tipos";
     202 BoardLacks Error
-        "the board does not have {0}"
+        "the board does not support {0}"
         "{1}"
-        "a placa não tem {0}"
+        "a placa não aceita {0}"
         "{1}";
     203 BoardNoneLeft Error
-        "no {0} is left for {2}: the board has {1}"
+        "no {0} is left for {2}: the board has only {1}"
         "use fewer variables, or reuse one"
-        "não sobrou {0} para {2}: a placa tem {1}"
+        "não há mais {0} livre para {2}: a placa só tem {1}"
         "use menos variáveis, ou reaproveite uma";
     204 BoardRow Error
-        "`{0}` takes {1}, but only {2} are free"
-        "make it smaller; an array with computed subscripts takes a register for each element"
-        "`{0}` ocupa {1}, mas só há {2} livres"
-        "diminua-a; uma matriz de índice calculado ocupa um registrador por elemento";
+        "`{0}` takes {1}, but the board has only {2} free"
+        "make it smaller; an array with a computed subscript takes one register per element"
+        "`{0}` ocupa {1}, mas o total livre é {2}"
+        "diminua o tamanho; uma matriz com índice calculado ocupa um registrador por elemento";
     205 BoardRetain Error
-        "the board cannot retain a {0} through a power cut"
-        "store the values that matter in a variable with RETAIN"
-        "a placa não consegue reter um {0} em uma queda de energia"
-        "guarde os valores que importam em uma variável com RETAIN";
+        "the board cannot retain the {0} through a power cut"
+        "store the values that matter in variables with RETAIN"
+        "a placa não consegue reter o {0} em uma queda de energia"
+        "guarde os valores que importam em variáveis com RETAIN";
     207 BoardLoop Error
-        "the jumps of this loop cost {0}, but a scan can spend {1}"
-        "let it run {2} times at most, or do a part of the work in each scan"
-        "os desvios deste laço custam {0}, mas uma varredura pode gastar {1}"
-        "faça-o dar no máximo {2} voltas, ou faça uma parte do trabalho em cada varredura";
+        "in one scan, the loops up to this one jump back over {0} bytes of code, but the limit is {1}"
+        "limit this loop to {2} iterations per scan, or spread the work over several scans"
+        "em uma varredura, os laços até este voltam {0} bytes no código, mas o limite é {1}"
+        "limite este laço a {2} voltas por varredura, ou divida o trabalho entre várias varreduras";
     208 BoardLoopOpen Warning
-        "this loop has no fixed number of iterations; after {0} iterations in a scan the board stops with fault 75"
-        "count with FOR between two constants, and leave it with EXIT"
-        "este laço não tem um número fixo de voltas; depois de {0} voltas em uma varredura a placa para com a falha 75"
-        "conte com FOR entre duas constantes e saia dele com EXIT";
+        "this loop has no fixed number of iterations; after about {0} iterations in a scan, the board stops with fault 75"
+        "count with FOR between two constants, and leave the loop with EXIT"
+        "este laço não tem um número fixo de voltas; depois de cerca de {0} voltas em uma varredura, a placa para com a falha 75"
+        "use um FOR entre duas constantes e saia do laço com EXIT";
     209 BoardLabels Error
-        "no label is left for this: the board has {0}"
-        "use fewer loops, and fewer EXIT and RETURN statements"
-        "não sobrou rótulo para isto: a placa tem {0}"
-        "use menos laços e menos EXIT e RETURN";
+        "no label is left for this statement: the board has only {0}"
+        "use fewer loops, or fewer EXIT, CONTINUE and RETURN statements"
+        "não sobrou rótulo para este comando: a placa só tem {0}"
+        "use menos laços, ou menos EXIT, CONTINUE e RETURN";
     210 BoardTooLarge Error
-        "with the bodies of all calls, the program is far too large for the board"
-        "call fewer or smaller blocks and functions: each call copies their bodies"
-        "com os corpos de todas as chamadas, o programa é grande demais para a placa"
-        "chame menos blocos e funções, ou menores: cada chamada copia o corpo deles";
+        "the program is far too large for the board, because each call copies a whole body"
+        "call fewer or smaller blocks and functions"
+        "o programa é grande demais para a placa, porque cada chamada copia um corpo inteiro"
+        "chame menos blocos e funções, ou blocos e funções menores";
     221 BackNoWords Error
         "line {1}: Structured Text cannot express {0}"
         "list the program as Instruction List or numeric code"
         "linha {1}: o Texto Estruturado não consegue expressar {0}"
         "liste o programa em Lista de Instruções ou código numérico";
     222 BackIntoPart Error
-        "line {1}: {0} jumps into a part of an IF, and Structured Text cannot express that"
+        "line {1}: {0} jumps into a part of an IF, which Structured Text cannot express"
         "put the label before the IF or after its END"
         "linha {1}: {0} desvia para dentro de uma parte de um IF, o que o Texto Estruturado não consegue expressar"
-        "ponha o rótulo antes do IF ou depois do END dele";
+        "ponha o rótulo antes do IF ou depois do seu END";
     223 BackTimerInLoop Error
-        "line {1}: {0} is in a loop; in Structured Text a timer is called once per scan"
+        "line {1}: {0} is in a loop; the conversion supports timers only outside loops"
         "move the timer out of the loop"
-        "linha {1}: {0} está em um laço; no Texto Estruturado um temporizador é chamado uma vez por varredura"
+        "linha {1}: {0} está em um laço; a conversão só aceita temporizadores fora de laços"
         "tire o temporizador do laço";
     224 BackEarlyTime Error
         "line {1}: {0} reads a timer before its call in this scan, or the timer's preset changes"
@@ -450,7 +450,7 @@ macro_rules! st_rows {
         "use menos registradores";
     226 BackPartOfArray Error
         "line {1}: {0} retains a part of a table, but Structured Text retains whole arrays"
-        "retain a register outside of the table"
+        "retain a register outside the table"
         "linha {1}: {0} retém parte de uma tabela, mas o Texto Estruturado retém matrizes inteiras"
         "retenha um registrador fora da tabela";
     241 StNoStep Error
@@ -460,19 +460,19 @@ macro_rules! st_rows {
         "{1}";
     242 StNoInitialStep Error
         "this chart has no initial step, so nothing in it would ever run"
-        "change STEP to INITIAL_STEP in the step where it begins"
+        "change STEP to INITIAL_STEP in the step where the chart begins"
         "este SFC não tem etapa inicial, e nada nele seria executado"
-        "troque STEP por INITIAL_STEP na etapa em que ele começa";
+        "troque STEP por INITIAL_STEP na etapa em que o SFC começa";
     243 StTwoInitialSteps Error
-        "`{0}` and `{1}` are both initial steps of one chart"
+        "`{0}` and `{1}` are both initial steps of the same chart"
         "change INITIAL_STEP to STEP in one of them; steps that no transition connects to the others form a separate chart"
         "`{0}` e `{1}` são ambas etapas iniciais do mesmo SFC"
         "troque INITIAL_STEP por STEP em uma delas; etapas que nenhuma transição liga às outras formam um SFC à parte";
     244 StStepTwice Error
         "`{0}` appears twice in this list"
-        "delete one of them"
+        "delete one"
         "`{0}` aparece duas vezes nesta lista"
-        "apague uma delas";
+        "apague uma das ocorrências";
     245 StNoAction Error
         "`{0}` is neither an action of this chart nor a BOOL variable"
         "{1}"
@@ -501,43 +501,53 @@ macro_rules! st_rows {
     250 StStepUnreached Warning
         "step `{0}` can never become active"
         "write a TRANSITION that leads to it"
-        "a etapa `{0}` nunca pode ficar ativa"
+        "a etapa `{0}` nunca fica ativa"
         "escreva uma TRANSITION que leve a ela";
     251 StNeverFires Warning
         "this transition can never fire: its steps ({0}) are never active together"
-        "a simultaneous convergence needs a simultaneous divergence before it; after a selection write one TRANSITION for each branch"
+        "a simultaneous convergence needs a simultaneous divergence before it; after a selection, write one TRANSITION for each branch"
         "esta transição nunca pode disparar: as suas etapas ({0}) nunca estão ativas juntas"
-        "uma convergência simultânea precisa de uma divergência simultânea antes; depois de uma seleção escreva uma TRANSITION para cada ramo";
+        "uma convergência simultânea precisa de uma divergência simultânea antes; depois de uma seleção, escreva uma TRANSITION para cada ramo";
     252 StTokenDoubled Warning
-        "this transition can enter step `{0}` while it is active, so two sequences become one"
+        "this transition can enter step `{0}` while the step is active, so two sequences become one"
         "end simultaneous sequences together: TRANSITION FROM (a, b) TO c"
-        "esta transição pode entrar na etapa `{0}` quando ela já está ativa, e duas sequências viram uma"
+        "esta transição pode ativar a etapa `{0}` enquanto ela já está ativa, e duas sequências se fundem em uma"
         "termine juntas as sequências simultâneas: TRANSITION FROM (a, b) TO c";
     253 StChartStuck Warning
         "the chart can get stuck: with {0} active, no transition can ever fire"
         "let each simultaneous sequence reach its last step; do not leave one of them through a selection"
-        "o SFC pode travar: com {0} ativa, nenhuma transição pode disparar"
-        "deixe cada sequência simultânea chegar à sua última etapa; não saia de uma delas por uma seleção";
+        "o SFC pode travar: com {0} em atividade, nenhuma transição pode disparar"
+        "leve cada sequência simultânea até a última etapa; não saia de uma delas por uma seleção";
     254 StChartEnds Warning
         "the chart ends here: no transition leaves {0}"
-        "write a TRANSITION FROM this step, if the cycle is to begin again"
+        "write a TRANSITION that leaves this step, if the cycle is to begin again"
         "o SFC termina aqui: nenhuma transição sai de {0}"
-        "escreva uma TRANSITION FROM desta etapa, se o ciclo deve recomeçar";
+        "escreva uma TRANSITION que saia desta etapa, se o ciclo deve recomeçar";
     255 StChartTooLarge Warning
-        "this chart has too many situations to check them all: lost, doubled or stuck sequences may go unnoticed"
+        "this chart has too many situations to check: lost, doubled or stuck sequences may go unnoticed"
         "divide it into several charts, each in a FUNCTION_BLOCK"
         "este SFC tem situações demais para verificar todas: sequências perdidas, duplicadas ou travadas podem passar despercebidas"
         "divida-o em vários SFC, cada um em um FUNCTION_BLOCK";
     256 StTimeExtra Error
-        "the qualifier {0} takes no time"
+        "the qualifier {0} does not accept a time"
         "write {1}({0}); or a qualifier with a time: L, D, SD, DS, SL"
         "o qualificador {0} não aceita um tempo"
         "escreva {1}({0}); ou um qualificador com tempo: L, D, SD, DS, SL";
     257 StBitsCounted Warning
-        "{0} is a bit string, and the standard has no arithmetic for those: here it counts as {1}"
+        "{0} is a bit string, and the standard defines no arithmetic for bit strings: here it is treated as {1}"
         "declare the variable as {1}"
-        "{0} é uma cadeia de bits, e a norma não calcula com elas: aqui ela vale como {1}"
+        "{0} é uma cadeia de bits, e a norma não define cálculos com cadeias de bits: aqui ela é tratada como {1}"
         "declare a variável como {1}";
+    258 StExternalOwn Warning
+        "no VAR_GLOBAL declares `{0}`, so the program keeps its own copy, with the initial value of its type"
+        "if another file declares it, add here: {1}"
+        "nenhum VAR_GLOBAL declara `{0}`; o programa mantém uma cópia própria, com o valor inicial do seu tipo"
+        "se outro arquivo o declara, acrescente aqui: {1}";
+    259 StAccess Warning
+        "{0} is ignored: other devices read this board over Modbus"
+        "no change is needed; Modbus gives access to the points and registers"
+        "{0} é ignorado: outros dispositivos leem esta placa por Modbus"
+        "não é preciso mudar nada; o Modbus dá acesso aos pontos e registradores";
         }
     };
 }

@@ -90,7 +90,7 @@ impl Builder<'_, '_> {
         let is = self.type_of(number);
         let help = match bits {
             Some(bits) => both(
-                format!("it has the bits 0 to {}", bits - 1),
+                format!("it has bits 0 to {}", bits - 1),
                 format!("ele tem os bits 0 a {}", bits - 1),
             ),
             None => both(

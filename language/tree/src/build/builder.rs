@@ -56,6 +56,8 @@ pub struct Builder<'t, 'f> {
     /// Integers go into each other, each cut to what it is stored in.
     pub is_wide: bool,
     pub(super) globals: HashMap<String, Named>,
+    /// How many of these are VAR_EXTERNAL of globals that the text does not declare.
+    pub(super) externals: usize,
     pub(super) drafts: Vec<Draft>,
     pub(super) current: Option<usize>,
     /// Who calls whom, and where.
@@ -107,6 +109,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             is_list: false,
             is_wide: false,
             globals: HashMap::new(),
+            externals: 0,
             drafts: Vec::new(),
             current: None,
             edges: Vec::new(),

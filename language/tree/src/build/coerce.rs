@@ -129,7 +129,7 @@ impl Builder<'_, '_> {
                 let name = format!("{}_TO_{to}", expr.base);
                 let help = (
                     "there are conversions between numbers, bit strings, BOOL, TIME and strings, and from DT to DATE and TOD",
-                    "há conversões entre números, cadeias de bits, BOOL, TIME e textos, e de DT para DATE e TOD",
+                    "há conversões entre números, cadeias de bits, BOOL, TIME e strings, e de DT para DATE e TOD",
                 );
                 self.tell(Code::StNoConversion, at, [name.into(), help.into()]);
                 self.wrong(at)

@@ -36,7 +36,7 @@ impl Builder<'_, '_> {
             return None;
         }
         if section == Section::External {
-            return self.external(name, at, ty);
+            return self.external(name, at, ty, traits.constant);
         }
         if let (Some(UnitKind::Function), true) = (self.kind_here(), self.keeps(ty))
             && section != Section::InOut
@@ -198,17 +198,20 @@ impl Builder<'_, '_> {
     }
 
     /// VAR_EXTERNAL: the global of this name, whose type it repeats.
-    fn external(&mut self, name: &str, at: Span, ty: TypeId) -> Option<Variable> {
+    fn external(&mut self, name: &str, at: Span, ty: TypeId, constant: bool) -> Option<Variable> {
         let key = self.key(name);
         let named = self.globals.get(&key).cloned();
         let (is, held) = match &named {
             Some(Named::Variable(variable)) => (variable.ty, Some(variable.clone())),
             Some(Named::Constant(_, is)) => (*is, None),
+            _ if !constant && self.globals_are_elsewhere() => {
+                return self.own_external(name, at, ty);
+            }
             _ => {
-                let declare = format!("VAR_GLOBAL {name} : {}; END_VAR", self.tree.types.name(ty));
+                let declare = self.as_global(name, ty);
                 let help = both(
-                    format!("declare it outside of the program: {declare}"),
-                    format!("declare fora do programa: {declare}"),
+                    format!("declare it outside the program: {declare}"),
+                    format!("declare-a fora do programa: {declare}"),
                 );
                 let help = self.near(name, help);
                 self.tell(Code::StUndeclared, at, [name.into(), help]);
@@ -228,6 +231,37 @@ impl Builder<'_, '_> {
             draft.names.insert(key, named);
         }
         held
+    }
+
+    /// Whether the text declares no globals, so that another file must.
+    fn globals_are_elsewhere(&self) -> bool {
+        let is_enum = |ty: TypeId| matches!(self.tree.types.kind(ty), Kind::Enum(_));
+        let here = self.globals.values().filter(|is| match is {
+            Named::Variable(_) => true,
+            // The values of an enumeration come with its type.
+            Named::Constant(_, ty) => !is_enum(*ty),
+            _ => false,
+        });
+        here.count() == self.externals
+    }
+
+    /// A global of another file: it is declared here, for all units that name it.
+    fn own_external(&mut self, name: &str, at: Span, ty: TypeId) -> Option<Variable> {
+        let declare = self.as_global(name, ty);
+        self.tell(Code::StExternalOwn, at, [name.into(), declare.into()]);
+        let unit = self.current.take();
+        let made = self.declare(name, at, ty, Section::Global, Traits::default());
+        self.current = unit;
+        self.externals += 1;
+        let (key, named) = (self.key(name), made.clone().map(Named::Variable));
+        if let (Some(draft), Some(named)) = (self.here(), named) {
+            draft.names.insert(key, named);
+        }
+        made
+    }
+
+    fn as_global(&self, name: &str, ty: TypeId) -> String {
+        format!("VAR_GLOBAL {name} : {}; END_VAR", self.tree.types.name(ty))
     }
 
     /// The first value of a variable without parts; none where it is not known, which is told.

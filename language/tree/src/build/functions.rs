@@ -158,8 +158,8 @@ impl Builder<'_, '_> {
         let row = TABLE.iter().find(|row| row.0 == key);
         let Some(Row(name, parameters, does)) = row else {
             let help = (
-                "such a name consists of two types: REAL_TO_INT",
-                "um nome desses é formado por dois tipos: REAL_TO_INT",
+                "write the two types of the conversion: REAL_TO_INT",
+                "escreva os dois tipos da conversão: REAL_TO_INT",
             );
             self.tell(Code::StNoConversion, at, [name.into(), help.into()]);
             return self.wrong(at);
@@ -242,7 +242,7 @@ impl Builder<'_, '_> {
         {
             let help = (
                 "there are conversions between numbers, bit strings, BOOL, TIME and strings, and from DT to DATE and TOD",
-                "há conversões entre números, cadeias de bits, BOOL, TIME e textos, e de DT para DATE e TOD",
+                "há conversões entre números, cadeias de bits, BOOL, TIME e strings, e de DT para DATE e TOD",
             );
             self.tell(Code::StNoConversion, at, [name.into(), help.into()]);
             return self.wrong(at);

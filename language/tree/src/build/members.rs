@@ -73,12 +73,12 @@ impl Builder<'_, '_> {
             };
             let help = match names.as_slice() {
                 _ if hidden => both(
-                    format!("{name} is the block's own; declare it with VAR_OUTPUT to read it"),
-                    format!("{name} é do próprio bloco; declare com VAR_OUTPUT para lê-lo"),
+                    format!("{name} is local to the block; declare it with VAR_OUTPUT to read it"),
+                    format!("{name} é local do bloco; declare-a com VAR_OUTPUT para lê-la"),
                 ),
                 [] => both(
-                    format!("it is {what}, which has no parts"),
-                    format!("ele é {what}, que não tem partes"),
+                    format!("it is {what}, which has no members"),
+                    format!("ele é {what}, que não tem membros"),
                 ),
                 names => {
                     let list = names.join(", ");

@@ -107,10 +107,10 @@ impl Builder<'_, '_> {
     fn instead(&self, name: &str, named: &Named) -> Word {
         match named {
             Named::Type(_) => both(
-                format!("declare a variable of it: VAR x : {name}; END_VAR"),
-                format!("declare uma variável dele: VAR x : {name}; END_VAR"),
+                format!("declare a variable of this type: VAR x : {name}; END_VAR"),
+                format!("declare uma variável desse tipo: VAR x : {name}; END_VAR"),
             ),
-            _ => both(format!("call it: {name}(…)"), format!("chame-o: {name}(…)")),
+            _ => both(format!("call it: {name}(…)"), format!("chame {name}(…)")),
         }
     }
 

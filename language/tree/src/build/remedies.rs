@@ -63,8 +63,8 @@ impl Builder<'_, '_> {
             let first = values.first().0;
             let names = values.some();
             return both(
-                format!("its values are {names}: write {first}"),
-                format!("os valores são {names}: escreva {first}"),
+                format!("the values of {name} are {names}: write {first}"),
+                format!("os valores de {name} são {names}: escreva {first}"),
             );
         }
         if self.is_enum(expr.ty) {
@@ -73,8 +73,8 @@ impl Builder<'_, '_> {
         }
         match (from, to) {
             (Base::AnyInt, Base::Bool) => both(
-                format!("write TRUE or FALSE, or compare it with something: x = {written}"),
-                format!("escreva TRUE ou FALSE, ou compare com alguma coisa: x = {written}"),
+                format!("write TRUE or FALSE, or compare it with a value: x = {written}"),
+                format!("escreva TRUE ou FALSE, ou compare com um valor: x = {written}"),
             ),
             (_, Base::Bool) if from.is_num() || from.is_bits() => write(format!("{written} <> 0")),
             (Base::Wstr, Base::Str) if written.starts_with('"') => {
@@ -135,10 +135,10 @@ impl Builder<'_, '_> {
                 };
                 both(
                     format!(
-                        "compare it ({written} <> 0), or write {base}_TO_{word}({written}) for its bits"
+                        "compare it ({written} <> 0), or write {base}_TO_{word}({written}) to use its bits"
                     ),
                     format!(
-                        "compare-o ({written} <> 0) ou escreva {base}_TO_{word}({written}) para os seus bits"
+                        "compare-o ({written} <> 0) ou escreva {base}_TO_{word}({written}) para usar os bits"
                     ),
                 )
             }
@@ -151,10 +151,10 @@ impl Builder<'_, '_> {
             }
             _ if base == Base::Bool => both(
                 format!(
-                    "to use a BOOL as a number, write BOOL_TO_INT({written}); AND and OR join two BOOL"
+                    "to use a BOOL as a number, write BOOL_TO_INT({written}); AND and OR combine two BOOL values"
                 ),
                 format!(
-                    "para usar um BOOL como número, escreva BOOL_TO_INT({written}); AND e OR juntam dois BOOL"
+                    "para usar um BOOL como número, escreva BOOL_TO_INT({written}); AND e OR combinam dois valores BOOL"
                 ),
             ),
             _ if base.is_bits() => {
@@ -166,7 +166,11 @@ impl Builder<'_, '_> {
                 };
                 write(self.converting(format!("{base}_TO_{int}"), &written))
             }
-            _ if base.is_text() => ("CONCAT joins strings", "CONCAT junta textos").into(),
+            _ if base.is_text() => (
+                "use CONCAT to join strings",
+                "use CONCAT para juntar strings",
+            )
+                .into(),
             _ => both(
                 format!("use a variable of another type for {written}"),
                 format!("use uma variável de outro tipo para {written}"),

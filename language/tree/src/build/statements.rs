@@ -209,7 +209,7 @@ impl Builder<'_, '_> {
             return expr;
         }
         let help = match expr.base {
-            Base::Bool => both("IF tells TRUE from FALSE", "IF distingue TRUE de FALSE"),
+            Base::Bool => both("use IF for a BOOL", "use IF para um BOOL"),
             _ => both(
                 "CASE takes an integer or an enumeration; use IF and ELSIF for anything else",
                 "CASE aceita um inteiro ou uma enumeração; use IF e ELSIF para o resto",

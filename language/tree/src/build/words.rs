@@ -30,7 +30,7 @@ impl Builder<'_, '_> {
             }
             Named::Type(ty) => match self.tree.types.kind(*ty) {
                 Kind::Block(_) | Kind::Standard(_) => {
-                    ("a type of function blocks", "um tipo de bloco de funções").into()
+                    ("a function block type", "um tipo de bloco de funções").into()
                 }
                 _ => ("a type", "um tipo").into(),
             },
@@ -71,14 +71,14 @@ impl Builder<'_, '_> {
             Lock::Output => (
                 ("an output of its block", "uma saída do seu bloco"),
                 (
-                    "only the block changes it; store in one of its inputs",
-                    "só o bloco a muda; guarde em uma das entradas dele",
+                    "only the block changes it; assign a value to a block input",
+                    "só o bloco a muda; atribua um valor a uma entrada dele",
                 ),
             ),
             Lock::Chart => (
                 (
-                    "a part of a step or an action of the chart",
-                    "uma parte de uma etapa ou ação do SFC",
+                    "part of a step or action of the chart",
+                    "parte de uma etapa ou ação do SFC",
                 ),
                 (
                     "only transitions activate steps; write a TRANSITION to this step",
@@ -87,12 +87,12 @@ impl Builder<'_, '_> {
             ),
             Lock::Sensor => (
                 (
-                    "an input, which only its sensor can change",
-                    "uma entrada, que só o sensor dela pode mudar",
+                    "a point that a program can only read",
+                    "um ponto que o programa só pode ler",
                 ),
                 (
-                    "store in an output (%QX1) or a variable",
-                    "guarde em uma saída (%QX1) ou em uma variável",
+                    "use an output (%QX1) or a variable",
+                    "use uma saída (%QX1) ou uma variável",
                 ),
             ),
         };

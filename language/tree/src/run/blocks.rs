@@ -10,13 +10,22 @@ struct Cells<'m> {
 }
 
 impl Cells<'_> {
-    fn at(&self, name: &str) -> Option<usize> {
-        self.block.parts().iter().position(|part| part.0 == name)
+    fn at(&self, name: &str) -> Option<(usize, Base)> {
+        let mut parts = self.block.parts().iter().enumerate();
+        let named = parts.find(|(_, part)| part.0 == name);
+        named.map(|(at, part)| (at, part.1))
     }
 
+    /// A number of 32 bits counts with its sign whatever its type is, as the board's counters do (NC-15).
     fn get(&self, name: &str) -> i128 {
-        let value = self.at(name).and_then(|at| self.cells.get(at));
-        value.map_or(0, Value::int)
+        let Some((at, base)) = self.at(name) else {
+            return 0;
+        };
+        let value = self.cells.get(at).map_or(0, Value::int);
+        match base {
+            Base::Udint => (value as i32).into(),
+            _ => value,
+        }
     }
 
     fn is(&self, name: &str) -> bool {
@@ -24,8 +33,14 @@ impl Cells<'_> {
     }
 
     fn set(&mut self, name: &str, value: i128) {
-        if let Some(held) = self.at(name).and_then(|at| self.cells.get_mut(at)) {
-            *held = Value::Int(value);
+        let Some((at, base)) = self.at(name) else {
+            return;
+        };
+        if let Some(held) = self.cells.get_mut(at) {
+            *held = match base {
+                Base::Udint => narrow(base, Value::Int(value)),
+                _ => Value::Int(value),
+            };
         }
     }
 
@@ -72,9 +87,11 @@ impl Machine<'_> {
                 cells.put("#M", clk);
                 cells.put("Q", !clk && before);
             }
-            Standard::Ctu | Standard::CtuDint => up(&mut cells),
-            Standard::Ctd | Standard::CtdDint => down(&mut cells),
-            Standard::Ctud | Standard::CtudDint | Standard::Counter => both(&mut cells),
+            Standard::Ctu | Standard::CtuDint | Standard::CtuUdint => up(&mut cells),
+            Standard::Ctd | Standard::CtdDint | Standard::CtdUdint => down(&mut cells),
+            Standard::Ctud | Standard::CtudDint | Standard::CtudUdint | Standard::Counter => {
+                both(&mut cells);
+            }
             Standard::Ton => on_delay(&mut cells, now),
             Standard::Tof => off_delay(&mut cells, now),
             Standard::Tp => pulse(&mut cells, now),

@@ -4,8 +4,8 @@ use super::operations::operation;
 use unoclp_core::isa::Opcode;
 use unoclp_core::{Board, Loader, Target};
 use unoclp_draw::edit::{
-    Along, Canvas, Coil, Cursor, Document, Draft, Drawn, Editor, Opening, Operation, Place, Spot,
-    Step, Strip,
+    Along, Canvas, Coil, Cursor, Document, Draft, Drawn, Editor, Node, Opening, Operation, Place,
+    Spot, Step, Strip, visit,
 };
 use unoclp_draw::{Area, Look};
 use unoclp_point::Address;
@@ -133,6 +133,23 @@ fn openings_do_not_cover_each_other() {
         empty.count() >= 2,
         "the empty rungs are openings as a whole"
     );
+}
+
+#[test]
+fn each_element_is_found_by_its_name_and_nothing_else_is_one() {
+    let document = document();
+    let mut elements = 0;
+    for (number, rung) in document.rungs().enumerate() {
+        visit(&rung.series, &mut |node| {
+            let found = document.element(node.id()).map(|element| element.id);
+            let is_element = matches!(node, Node::Element(_));
+            assert_eq!(found, is_element.then(|| node.id()));
+            assert_eq!(document.rung_of(node.id()), Some(number));
+            elements += usize::from(is_element);
+        });
+        assert!(document.element(rung.id).is_none());
+    }
+    assert_eq!(elements, 7);
 }
 
 #[test]

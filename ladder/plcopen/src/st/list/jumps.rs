@@ -22,7 +22,7 @@ impl List<'_> {
         let Some(&below) = places.get(below) else {
             let what = match places.is_empty() {
                 true => (
-                    format!("a jump to `{label}`, which is no label,"),
+                    format!("a jump to `{label}`, which is not a label,"),
                     format!("um desvio a `{label}`, que não é um rótulo,"),
                 ),
                 false => (
