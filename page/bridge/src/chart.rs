@@ -320,10 +320,10 @@ unoclp_words::messages! {
     not_there() "the selected element no longer exists" "o elemento selecionado já não existe";
     select_step() "select a step first; no step can be parallel to the initial step" "selecione antes uma etapa; nenhuma etapa pode ser paralela à etapa inicial";
     select_transition() "select a transition first" "selecione antes uma transição";
-    last_step() "a chart has at least one step" "um SFC tem pelo menos uma etapa";
-    no_name() "this is not a name" "isto não é um nome";
+    last_step() "a chart needs at least one step" "um SFC precisa de pelo menos uma etapa";
+    no_name() "this is not a valid name; use letters, digits and _" "este nome não é válido; use letras, algarismos e _";
     name_taken() "another part of the chart has that name" "outra parte do SFC já tem esse nome";
-    no_further() "it cannot move further" "não dá para mover mais";
+    no_further() "no further move is possible in this direction" "não é possível mover mais o elemento nesta direção";
     missing() "a condition or a time is missing" "falta uma condição ou um tempo";
     not_one_part() "the text in this field ends its part of the chart too early; write only an expression, or statements" "o texto deste campo encerra cedo demais a sua parte do SFC; escreva só uma expressão, ou comandos";
 }

@@ -59,7 +59,7 @@ unoclp_words::messages! {
     hidden_chances()
         "with other, hidden random values, the machine does not do what it should"
         "com outros valores aleatórios, ocultos, a máquina não faz o que deve";
-    no_find() "this exercise has no hidden fault" "este exercício não tem uma falha escondida";
+    no_find() "this exercise has no hidden fault" "este exercício não tem nenhuma falha escondida";
     cannot_fail(name)
         "the machine {name} cannot have the hidden fault of this exercise"
         "a máquina {name} não pode ter a falha escondida deste exercício";
@@ -70,18 +70,18 @@ unoclp_words::messages! {
     fault_welded() "contacts welded" "contatos soldados";
     fault_jammed() "jammed" "emperrado";
     fault_slow() "slow" "lento";
-    fault_leaking() "leaks" "com vazamento";
-    fault_bouncing() "bounces" "trepida";
-    own_contacts() "real contacts drive the board's inputs; force the input instead" "contatos reais comandam as entradas da placa; force a entrada";
+    fault_leaking() "leaking" "com vazamento";
+    fault_bouncing() "bouncing contacts" "contatos com trepidação";
+    own_contacts() "real contacts drive the board's inputs; force the input instead" "contatos reais comandam as entradas da placa; em vez disso, force a entrada";
     no_settings() "a program on this computer has no settings" "um programa neste computador não tem ajustes";
-    own_program() "this computer runs the program that is open on the page" "este computador executa o programa aberto na página";
-    none_runs() "no program runs here; press Run" "nenhum programa está em execução aqui; aperte Executar";
+    own_program() "this computer is running the program open on the page" "este computador executa o programa aberto na página";
+    none_runs() "nothing is running; press Run" "nenhum programa está em execução aqui; aperte Executar";
     none_given() "no program has been sent yet; press Run" "nenhum programa foi enviado ainda; aperte Executar";
     no_model(name) "no board is called {name}" "nenhuma placa se chama {name}";
     no_address(address, least, most) "address {address} is not valid; a board has an address from {least} to {most}" "o endereço {address} não é válido; uma placa tem um endereço de {least} a {most}";
     program_empty() "there is no program yet" "ainda não há programa";
-    program_binary() "this is not text" "isto não é texto";
-    program_other() "its first lines match none of the languages" "o começo do texto não é de nenhuma das linguagens";
+    program_binary() "this is a binary file, not text" "este é um arquivo binário, não um texto";
+    program_other() "its first lines match none of the languages" "as primeiras linhas não são de nenhuma das linguagens";
     languages(all) "a program is {all}" "um programa é {all}";
 }
 

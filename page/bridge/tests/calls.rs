@@ -474,7 +474,7 @@ fn a_program_that_the_board_at_hand_lacks_points_for_is_not_sent() {
                 "en",
                 [
                     "the UNO cannot run this program: line 3: ",
-                    "the board Mega has",
+                    "the Mega has",
                     "; nothing was sent",
                 ],
             ),

@@ -67,7 +67,7 @@ fn a_chart_is_drawn_with_its_points_and_changed() {
         ),
         (
             json!({ "what": "rename", "at": "s0", "say": "IF" }),
-            "this is not a name",
+            "this is not a valid name; use letters, digits and _",
         ),
         (
             json!({ "what": "after", "at": "s99" }),

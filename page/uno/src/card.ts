@@ -1,5 +1,5 @@
 // A virtual memory card of high capacity on the SPI bus, as far as the firmware speaks with one (SD Physical Layer
-// Simplified Specification, chapter 7). Nothing garbles its line, so it checks no check sums; those it sends are right.
+// Simplified Specification, chapter 7). Nothing garbles its line, so it checks no checksums; those it sends are right.
 
 import { BLOCK_LEN } from "./messages";
 
@@ -33,7 +33,7 @@ export class Card {
   /** What goes to the host next. */
   private out: number[] = [];
   private busy = 0;
-  /** The block that is awaited or comes in, with its check sum behind it. */
+  /** The block that is awaited or comes in, with its checksum behind it. */
   private write: { readonly block: number; readonly data: number[]; begun: boolean } | null = null;
 
   /** A card that has just been powered. `written` is told of each block that the host has written. */

@@ -10,7 +10,7 @@ export function flashOf(bytes: Uint8Array, length: number): Uint16Array | null {
   return new Uint16Array(flash.buffer);
 }
 
-/** The words of a flash of so many bytes; `null` where the text is no Intel hex, a check sum is wrong, or something does not fit. */
+/** The words of a flash of so many bytes; `null` where the text is no Intel hex, a checksum is wrong, or something does not fit. */
 export function readHex(text: string, length: number): Uint16Array | null {
   let base = 0;
   const flash = new Uint8Array(length).fill(ERASED);

@@ -83,7 +83,7 @@ export interface Edge {
 
 /** Why a command was not obeyed. */
 export type Trouble =
-  /** Not Intel hex, a check sum does not fit, or more than the flash. */
+  /** Not Intel hex, a checksum does not fit, or more than the flash. */
   | "bad-firmware"
   /** Not of the length of the EEPROM, or the board has power. */
   | "bad-eeprom"

@@ -20,8 +20,7 @@ const TIMES: usize = 7;
 const HEAD: &str = "\
 # Benchmarks of the editor
 
-How long an editor waits for an answer. This page is written by a program: do not edit it; run the
-benchmark again.
+This page shows how long an editor waits for an answer. A program writes this page: do not edit it; run the benchmark again.
 
 ```
 cargo xtask bench
@@ -29,8 +28,8 @@ cargo xtask bench
 
 This command measures a release build. The text has 2,000 lines of Structured Text in function blocks. The project has 20
 programs in Ladder Diagram, Function Block Diagram, Sequential Function Chart and Structured Text, which share a variable and
-a block. The time of a rename includes compiling the project before and after it, to check that the codes are the same. The
-time is the shortest of seven, on the machine that runs the benchmark.
+a block. The time of a rename includes compiling the project before and after it, to check that the codes are the same. Each
+time is the shortest of seven runs on the computer that runs the benchmark.
 
 | request | time | target |
 | :--- | ---: | ---: |
@@ -70,10 +69,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err(format!("{:?}", analysis.check()).into());
     }
     let at = declared(&written, None, "run").ok_or("a variable")?;
-    row("uses in 20 units", "≤ 100 ms", &mut || {
+    row("all uses in 20 programs", "≤ 100 ms", &mut || {
         uses(&written, at).len() > UNITS
     })?;
-    row("rename in 20 units", "≤ 100 ms", &mut || {
+    row("rename in 20 programs", "≤ 100 ms", &mut || {
         rename(&analysis, at, "works").is_ok_and(|edits| edits.len() > UNITS)
     })?;
     match page {

@@ -13,7 +13,7 @@ pub enum Unfit {
         /// Counted from 1.
         line: usize,
     },
-    /// A record is cut, or its check sum is wrong.
+    /// A record is cut, or its checksum is wrong.
     Damaged {
         /// Counted from 1.
         line: usize,

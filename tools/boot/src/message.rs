@@ -25,7 +25,7 @@ pub(crate) struct Answer {
     /// Bytes that say something.
     pub says: usize,
     pub tail: Vec<u8>,
-    /// Whether a check sum is the last byte.
+    /// Whether a checksum is the last byte.
     pub sum: bool,
 }
 
@@ -129,7 +129,7 @@ fn message(number: u8, body: &[u8]) -> Vec<u8> {
     message
 }
 
-/// The check sum of STK500v2; of a message with its own it is 0.
+/// The checksum of STK500v2; of a message with its own it is 0.
 fn check(bytes: &[u8]) -> u8 {
     bytes.iter().fold(0, |sum, byte| sum ^ byte)
 }

@@ -7,7 +7,7 @@ unoclp_words::messages! {
         "line {line} is not Intel HEX; name a firmware file that ends in .hex"
         "a linha {line} não é Intel HEX; indique um arquivo de firmware que termine em .hex";
     damaged(line)
-        "line {line} is damaged: its check sum is wrong, or its end is missing; download the file again"
+        "line {line} is damaged: its checksum is wrong, or part of it is missing; download the file again"
         "a linha {line} está danificada: a soma de verificação não confere, ou falta um pedaço; baixe o arquivo de novo";
     cut_short()
         "the file ends before its last record; download it again"
@@ -19,8 +19,8 @@ unoclp_words::messages! {
         "the file is not for the {chip} ({boards}); use the firmware for the board {board}"
         "o arquivo não é para o {chip} ({boards}); use o firmware para a placa {board}";
     too_large(bytes, room, model)
-        "the file takes {bytes} bytes of flash, but the board {model} has room for {room}; use the firmware for that board"
-        "o arquivo ocupa {bytes} bytes de flash, mas na placa {model} cabem {room}; use o firmware para essa placa";
+        "the file takes {bytes} bytes of flash, but the board {model} has room for only {room}; use the firmware for that board"
+        "o arquivo ocupa {bytes} bytes de flash, mas na placa {model} cabem só {room}; use o firmware para essa placa";
     silent(models)
         "no boot loader answers. Is this the board's port, and is the board type right ({models})? If the board has no \
          automatic reset, press its reset button when writing starts"
@@ -32,7 +32,7 @@ unoclp_words::messages! {
         "o dispositivo que responde não é um bootloader. A porta é a da placa, e o tipo de placa está certo ({models})? Desconecte \
          tudo o que estiver ligado a D0 e D1";
     says_other_chip(signature, chip, wanted)
-        "the chip's signature is {signature}, but an {chip} has {wanted}; this firmware does not run on that board"
+        "the chip's signature is {signature}, but that of an {chip} is {wanted}; this firmware does not run on that board"
         "a assinatura do chip é {signature}, mas a de um {chip} é {wanted}; este firmware não roda nessa placa";
     broken_off()
         "the boot loader stopped answering; check the cable and try again"
@@ -41,10 +41,10 @@ unoclp_words::messages! {
         "the boot loader's answer makes no sense; check the cable and the wiring of D0 and D1, then try again"
         "a resposta do bootloader não faz sentido; verifique o cabo e o que está ligado a D0 e D1 e tente de novo";
     differs(address, written, read)
-        "at address {address} the flash holds {read}, not {written} as written; try again, and with another cable if it happens \
-         twice"
-        "no endereço {address} a flash tem {read}, e não {written}, que foi gravado; tente de novo, com outro cabo se acontecer duas \
-         vezes";
+        "at address {address} the flash holds {read}, but {written} was written; try again. If it happens twice, use another \
+         cable"
+        "no endereço {address} a flash tem {read}, mas foi gravado {written}; tente de novo. Se acontecer duas vezes, troque o \
+         cabo";
     lost(why)
         "the port has disappeared: {why}; plug the board in again and retry"
         "a porta não está mais disponível: {why}; reconecte a placa e tente de novo";

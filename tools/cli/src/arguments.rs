@@ -28,7 +28,7 @@ use unoclp_lang::Lang;
 pub(crate) struct Arguments {
     #[command(subcommand)]
     command: Command,
-    /// The language of the messages; without it, that of the environment
+    /// The language of the messages; by default, that of the system
     // `asked` has read it before.
     #[arg(long, global = true, value_parser = langs())]
     lang: Option<Lang>,
@@ -36,7 +36,7 @@ pub(crate) struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Check a program: its size, or every fault with its line
+    /// Check a program and show its size, or every fault with its line
     Check {
         /// The program: {programs}; - reads it from standard input
         file: PathBuf,
@@ -47,7 +47,7 @@ enum Command {
     Compile {
         /// The text: {texts}; - reads it from standard input
         file: PathBuf,
-        /// Where to write the numeric code; to standard output without it, and for -
+        /// Where to write the numeric code; by default, or with -, to standard output
         #[arg(short, long, value_name = "PROGRAM.TXT")]
         output: Option<PathBuf>,
         #[command(flatten)]
@@ -55,11 +55,11 @@ enum Command {
         #[command(flatten)]
         wording: Wording,
     },
-    /// Move the points that a board lacks to free ones, in a copy of a text
+    /// Copy a text, with free points in place of those that a board lacks
     Adapt {
-        /// The text: Instruction List (.il) or Structured Text (.st, .scl); - reads it from standard input
+        /// The text: Instruction List (.il), Structured Text (.st, .scl) or PLCopen XML (.xml); - reads it from standard input
         file: PathBuf,
-        /// Where to write the copy, as a new file; to standard output without it, and for -
+        /// The new file for the copy; by default, or with -, standard output
         #[arg(short, long, value_name = "COPY")]
         output: Option<PathBuf>,
         #[command(flatten)]
@@ -70,7 +70,8 @@ enum Command {
         /// The project in PLCopen XML; - reads it from standard input
         file: PathBuf,
     },
-    /// Show a program as a ladder diagram, Instruction List, Structured Text, PLCopen XML, or numeric code with its meaning
+    /// Show a program as a ladder diagram, block diagram or chart, as Instruction List, Structured Text or PLCopen XML, or as
+    /// numeric code with its meaning
     List {
         /// The program: {programs}; - reads it from standard input
         file: PathBuf,
@@ -79,36 +80,36 @@ enum Command {
         /// The form of the listing
         #[arg(long = "as", value_name = "FORM", value_enum, default_value_t)]
         form: Form,
-        /// Draw the ladder diagram into this file, as vector graphics
+        /// Draw the diagram into this file, as vector graphics
         #[arg(long, value_name = "OUT.svg")]
         svg: Option<PathBuf>,
-        /// On pages of this paper, for a report: OUT.svg, or OUT-1.svg and so on if there are several
+        /// Draw a ladder diagram on pages of this paper, for a report: OUT.svg, or OUT-1.svg and so on if there are several
         #[arg(long, value_name = "PAPER", value_enum, requires = "svg")]
         paper: Option<Paper>,
-        /// The title of these pages; without it, the first comment of the program
+        /// The title of these pages; by default, the first comment of the program
         #[arg(long, value_name = "TEXT", requires = "paper")]
         title: Option<String>,
         #[command(flatten)]
         over: Over,
-        /// The columns that a ladder diagram may take
+        /// The columns that a ladder diagram may take up
         #[arg(long, value_name = "N", default_value_t = 80,
             value_parser = clap::value_parser!(u16).range(NARROWEST as i64..=1000))]
         width: u16,
     },
-    /// Simulate a program, by hand in this terminal or by a scenario
+    /// Simulate a program, by hand in this terminal or with a scenario
     Sim {
-        /// The program, in any of the languages; with a scenario, runs instead of the program that it names
+        /// The program, in any of the languages; it replaces the program that a scenario names
         file: Option<PathBuf>,
-        /// Run this scenario without a terminal: print what changes, and compare it
+        /// Run this scenario without a terminal: print the changes, and compare them with what is expected
         #[arg(long, value_name = "S.toml")]
         scenario: Option<PathBuf>,
         /// Run only this case of the scenario, counted from 1
         #[arg(long, value_name = "N", requires = "scenario", value_parser = clap::value_parser!(u16).range(1..))]
         case: Option<u16>,
-        /// Draw into this file, as a timing diagram, what was pressed, expected and observed; of a machine, pictures
+        /// Draw a timing diagram into this file: inputs, and expected and actual outputs; for a machine, pictures of it
         #[arg(long, value_name = "OUT.svg")]
         svg: Option<PathBuf>,
-        /// Write the trace of all inputs, outputs and timers for a wave viewer
+        /// Write a trace of all inputs, outputs and timers for a waveform viewer
         #[arg(long, value_name = "OUT.vcd")]
         vcd: Option<PathBuf>,
         #[command(flatten)]
@@ -123,12 +124,12 @@ enum Command {
         #[command(subcommand)]
         of: OfPlant,
     },
-    /// Run the programs of a class through the cases of an exercise
+    /// Test the programs of a class with the cases of an exercise
     Grade {
         #[command(flatten)]
         class: Class,
     },
-    /// Make wrong programs from an exercise's solution, and say which ones pass
+    /// Generate wrong programs from the solution of an exercise, and show which ones pass
     Mutants {
         /// The exercise: a scenario file with cases (.toml)
         exercise: PathBuf,
@@ -140,13 +141,13 @@ enum Command {
         #[command(flatten)]
         what: What,
     },
-    /// Put a program on a memory card, or on a new card image
+    /// Write a program to a memory card, or to a new card image
     Card {
         /// The folder of a mounted card, or a new image file (.img)
         card: PathBuf,
         /// The program: {programs}; - reads it from standard input
         file: PathBuf,
-        /// With STATE.TXT, in which the board then keeps inputs and outputs
+        /// Also create STATE.TXT, in which the board records inputs and outputs
         #[arg(long)]
         state: bool,
         #[command(flatten)]
@@ -165,14 +166,14 @@ enum Command {
         #[command(flatten)]
         leave: Leave,
     },
-    /// Put the firmware on a board through its boot loader, read it back and compare
+    /// Write the firmware to a board through its boot loader, read it back and compare
     Flash {
         #[command(flatten)]
         what: Firmware,
     },
-    /// Watch a board, force its inputs and outputs, and let it run and stop
+    /// Watch a board, force its inputs and outputs, and switch it to RUN or STOP
     Monitor {
-        /// The program that it runs, in any of the languages, to show its variables and rungs
+        /// The program that the board runs, in any of the languages, to show its variables and rungs
         file: Option<PathBuf>,
         #[command(flatten)]
         wording: Wording,
@@ -182,18 +183,18 @@ enum Command {
         #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u8).range(1..=254))]
         end_forcing: Option<u8>,
     },
-    /// Serve the lab's page, and with --port or --site share boards
+    /// Serve the lab's page and, with --port or --site, share boards
     Serve {
         #[command(flatten)]
         doors: Doors,
     },
-    /// Help an editor that speaks the Language Server Protocol, over standard input and output
+    /// Serve an editor through the Language Server Protocol, over standard input and output
     Lsp {
-        /// The board that its programs are for
+        /// The target board of the editor's programs
         #[arg(long, value_name = "BOARD", default_value = "uno", value_parser = boards())]
         board: Board,
     },
-    /// Check a site file: which boards a gateway serves, and to whom
+    /// Check a site file, which says which boards a gateway shares, and with whom
     Site {
         #[command(subcommand)]
         of: OfSite,

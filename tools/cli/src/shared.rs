@@ -8,7 +8,7 @@ use crate::identity;
 use crate::kept::Kept;
 use crate::messages;
 use crate::metrics::metrics;
-use crate::port::{Found, Place, Port, find};
+use crate::port::{Found, NotFound, Place, Port, find};
 use crate::stores;
 use anyhow::{Context, anyhow};
 use rust_embed::RustEmbed;
@@ -334,19 +334,22 @@ impl AtPort {
 }
 
 impl Board for AtPort {
-    fn find(&mut self, address: u8, others: bool) -> Result<(), String> {
+    fn find(&mut self, address: u8) -> Result<(), String> {
         self.place.line.address = address;
-        let found = match self.port.take() {
-            Some(mut port) if others => {
-                let found = port.seek(&self.place, false);
-                self.port = Some(port);
-                found
-            }
-            _ => find(&self.place, PATIENCE).map(|Found { port, identity, .. }| {
+        let found = match &mut self.port {
+            Some(port) => port.seek(&self.place, false),
+            None => find(&self.place, PATIENCE).map(|Found { port, identity, .. }| {
                 self.port = Some(port);
                 identity
             }),
         };
+        if let Err(NotFound::Failed {
+            failure: Failure::Lost(_),
+            ..
+        }) = found
+        {
+            self.port = None;
+        }
         self.has_points(address, &found.map_err(|why| why.to_string())?)
     }
 
@@ -362,7 +365,10 @@ impl Board for AtPort {
             }
         });
         answered.map_err(|failure| match failure {
-            Failure::Lost(_) => NoAnswer::Gone(messages::failure(&failure)),
+            Failure::Lost(_) => {
+                self.port = None;
+                NoAnswer::Gone(messages::failure(&failure))
+            }
             _ => NoAnswer::Silent,
         })
     }

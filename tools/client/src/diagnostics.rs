@@ -66,7 +66,7 @@ pub struct Kept {
     pub version: u8,
     /// Bytes of the stored form.
     pub bytes: u16,
-    /// Its check sum in the EEPROM.
+    /// Its checksum in the EEPROM.
     pub sum: u16,
 }
 

@@ -66,6 +66,13 @@ mod tests {
     }
 
     #[test]
+    fn only_points_of_the_map_are_written() {
+        let is = |name: &str| is_written(Address::parse(name).expect(name));
+        assert_eq!(["Q2", "M1", "D2", "T1", "C2"].map(is), [true; 5]);
+        assert_eq!(["I1", "S1"].map(is), [false; 2]);
+    }
+
+    #[test]
     fn a_point_is_written_where_the_map_has_it() {
         assert_eq!(frame("Q2", 1), [1, 5, 0, 1, 0xFF, 0]);
         assert_eq!(frame("M1", 0), [1, 5, 0, 16, 0, 0]);

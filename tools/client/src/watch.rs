@@ -393,6 +393,16 @@ mod tests {
     }
 
     #[test]
+    fn forcing_ends_after_seconds_or_never() {
+        let ends = [None, Some(0), Some(1), Some(254), Some(255)].map(|ends| Forced {
+            ends,
+            ..Forced::default()
+        });
+        let seconds = ends.map(Forced::seconds);
+        assert_eq!(seconds, [None, None, Some(1), Some(254), None]);
+    }
+
+    #[test]
     fn a_point_is_forced_and_let_go() {
         let mut forces = Forces::default();
         forces.set(2, Some(true));

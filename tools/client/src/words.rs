@@ -23,13 +23,13 @@ unoclp_words::messages! {
     garbled()
         "the board's answers are unreadable; check the rate and the parity"
         "as respostas da placa são ilegíveis; verifique a taxa e a paridade";
-    connection_lost(why) "the connection is lost: {why}" "a conexão caiu: {why}";
+    connection_lost(why) "the connection was lost: {why}" "a conexão caiu: {why}";
     foreign(what)
         "this device does not run unoclp{what}; install the firmware"
         "este dispositivo não roda o unoclp{what}; grave o firmware";
     but_a(identity) " but \"{identity}\"" ", e sim \"{identity}\"";
     no_board() "no board is connected" "nenhuma placa conectada";
-    refused_locked() "this is locked on the board" "isso está bloqueado na placa";
+    refused_locked() "this operation is locked on the board" "esta operação está bloqueada na placa";
     refused_address() "this board has no such point" "esta placa não tem esse ponto";
     refused_value() "the board does not accept that value" "a placa não aceita esse valor";
     refused_now() "the board cannot do that now" "a placa não consegue fazer isso agora";
@@ -37,15 +37,15 @@ unoclp_words::messages! {
         "the board is busy; if it has stored settings or programs too often, try again in an hour, or after a power cycle"
         "a placa está ocupada; se gravou ajustes ou programas vezes demais, tente de novo em uma hora, ou desligue e ligue a placa";
     refused_way()
-        "the gateway shares no board with this address"
-        "o gateway não compartilha nenhuma placa com esse endereço";
+        "the gateway has no board at this address"
+        "o gateway não tem nenhuma placa nesse endereço";
     refused_silent()
         "the gateway gets no answer from the board"
         "o gateway não recebe resposta da placa";
     refused_in_fault() "the board is in FAULT; restart it" "a placa está em FAULT; reinicie-a";
     refused_by_switch()
-        "A5 is closed and holds the board in STOP"
-        "A5 está fechado e segura a placa em STOP";
+        "the STOP switch holds the board in STOP"
+        "a chave STOP mantém a placa em STOP";
     refused_in_upload()
         "an upload is in progress; restart the board to cancel it"
         "há um envio em andamento; reinicie a placa para cancelá-lo";
@@ -57,18 +57,18 @@ unoclp_words::messages! {
         "os comandos estão bloqueados nesta placa";
     writing_locked()
         "writing and forcing are locked on this board"
-        "escrever e forçar estão bloqueados nesta placa";
+        "a escrita e o forçamento estão bloqueados nesta placa";
     no_point(name) "{name} is not a point that can be set" "{name} não é um ponto que se possa alterar";
     to_unlock()
-        "to unlock, reset the board with A5 and inputs 01 to 04 connected to ground, then write any setting"
-        "para desbloquear, faça o reset da placa com A5 e as entradas 01 a 04 no GND e grave qualquer ajuste";
+        "to unlock, reset the board with the STOP pin (A5 on a UNO) and inputs 01 to 04 connected to GND, then write any setting"
+        "para desbloquear, faça o reset com o pino STOP (A5 em um UNO) e as entradas 01 a 04 ligados ao GND e grave qualquer ajuste";
     fault(number, text) "fault {number}: {text}" "falha {number}: {text}";
     fault_line(number, line, text) "fault {number}, line {line}: {text}" "falha {number}, linha {line}: {text}";
     unknown_fault() "unknown to this version of unoclp" "desconhecida por esta versão do unoclp";
     not_stopped(failure) "could not stop the board: {failure}" "não foi possível parar a placa: {failure}";
     stop_locked()
-        "commands are locked, so only the STOP pin A5 can stop the board: connect A5 to ground, then try again"
-        "os comandos estão bloqueados; só o pino STOP (A5) pode parar a placa: ligue A5 ao GND e tente de novo";
+        "commands are locked, so only the STOP pin can stop the board: connect it to GND (A5 on a UNO) and try again"
+        "os comandos estão bloqueados; só o pino STOP pode parar a placa: ligue-o ao GND (A5 em um UNO) e tente de novo";
     upload_not_begun()
         "the board did not start the upload; is another client keeping it in RUN?"
         "a placa não começou o envio; outro cliente a mantém em RUN?";
@@ -79,15 +79,15 @@ unoclp_words::messages! {
         "uploads are locked on this board; {to_unlock}"
         "os envios estão bloqueados nesta placa; {to_unlock}";
     firmware_too_old(board, needs)
-        "the board's firmware is older than some instructions of this program: it keeps programs in form {board}, and this one needs \
-         form {needs}. The board keeps its old program; install the new firmware"
-        "o firmware da placa é mais antigo que algumas instruções deste programa: ele guarda programas na forma {board}, e este precisa \
-         da forma {needs}. A placa mantém o programa antigo; grave o firmware novo";
+        "the board's firmware is older than some instructions of this program: it stores \
+         programs in form {board}, but this program needs form {needs}. The board keeps its old program; install the new firmware"
+        "o firmware da placa é mais antigo que algumas instruções deste programa: ele guarda \
+         programas na forma {board}, mas este programa precisa da forma {needs}. A placa mantém o programa antigo; grave o firmware novo";
     upload_ended()
         "another client ended the upload; the board keeps its old program"
         "outro cliente encerrou o envio; a placa mantém o programa antigo";
     keeps_another(bytes, sum, sent_bytes, sent_sum)
-        "the board has {bytes} bytes with check sum {sum}, not the {sent_bytes} bytes with {sent_sum} that were sent; does it run another version of the firmware?"
+        "the board has {bytes} bytes with checksum {sum}, not the {sent_bytes} bytes with {sent_sum} that were sent; is it running a different version of the firmware?"
         "a placa tem {bytes} bytes com soma de verificação {sum}, e não os {sent_bytes} bytes com {sent_sum} que foram enviados; o firmware dela é de outra versão?";
     upload_before(failure) "the upload did not start: {failure}" "o envio não começou: {failure}";
     upload_off(pass, bytes, all, failure, kept)
@@ -103,28 +103,28 @@ unoclp_words::messages! {
     runs() "the program is stored and runs" "o programa está gravado e em execução";
     stays() "the program is stored; the board is in STOP" "o programa está gravado; a placa está em STOP";
     switch_holds()
-        "the program is stored; the STOP switch holds the board"
-        "o programa está gravado; a chave STOP segura a placa";
+        "the program is stored; the STOP switch keeps the board in STOP"
+        "o programa está gravado; a chave STOP mantém a placa em STOP";
     in_fault_until()
-        "the program is stored; the board is in FAULT and runs it after its next restart"
-        "o programa está gravado; a placa está em FAULT e o executa depois do próximo reinício";
+        "the program is stored; the board is in FAULT and will run it after the next restart"
+        "o programa está gravado; a placa está em FAULT e vai executá-lo depois do próximo reinício";
     card_wins()
         "the board stored the program, but at the restart it loaded another PROGRAM.TXT from its card; remove the card, or copy the program to it"
-        "a placa gravou o programa, mas ao reiniciar leu outro PROGRAM.TXT do cartão dela; retire o cartão ou grave nele o programa";
+        "a placa gravou o programa, mas, ao reiniciar, leu outro PROGRAM.TXT do cartão dela; retire o cartão ou grave nele o programa";
     restarted_with(trouble)
         "the program is stored, but after the restart the board reports {trouble}"
-        "o programa está gravado, mas ao reiniciar a placa informa: {trouble}";
+        "o programa está gravado, mas, ao reiniciar, a placa informa: {trouble}";
     stopped_with(what) "the program is stored, but stopped with {what}" "o programa está gravado, mas parou com {what}";
-    unread_empty() "the board holds no program" "a placa não tem programa";
+    unread_empty() "the board has no program" "a placa não tem programa";
     unread_untold()
         "this board's firmware cannot send its program: it is an older version, or the firmware of a Nano"
         "o firmware desta placa não envia o programa: é mais antigo, ou é o de um Nano";
     unread_other()
-        "the board sent an unknown program; read it again"
+        "the board's answer is not a valid program; read it again"
         "a placa enviou um programa desconhecido; leia de novo";
     no_rate(rate, rates)
-        "a board does not support {rate} baud; it supports {rates}"
-        "uma placa não aceita {rate} baud; ela aceita {rates}";
+        "the board does not support {rate} baud; it supports {rates}"
+        "a placa não aceita {rate} baud; ela aceita {rates}";
     lock_grows(to_unlock)
         "a client can only add to a lock; {to_unlock}"
         "um cliente só pode ampliar um bloqueio; {to_unlock}";
@@ -138,7 +138,7 @@ unoclp_words::messages! {
     settings_kept() "the board keeps these settings" "a placa guarda esses ajustes";
     settings_next()
         "the board stored these settings and uses them after its next start"
-        "a placa guardou esses ajustes e passa a usá-los na próxima inicialização";
+        "a placa guardou esses ajustes e passa a usá-los na próxima partida";
     but_stop(said) "{said}; it is in STOP now" "{said}; agora ela está em STOP";
 }
 
@@ -379,7 +379,7 @@ mod tests {
             failure: Failure::Lost("unplugged".to_owned()),
         };
         let [english, portuguese] = said(|lang| broken(lang, &off(Pass::Check, false)));
-        let says = "the upload failed while checking, at byte 488 of 900: the connection is lost: \
+        let says = "the upload failed while checking, at byte 488 of 900: the connection was lost: \
                     unplugged. The board is in STOP; it keeps its old program; upload again";
         assert_eq!(english, says);
         let says = "o envio falhou na conferência, no byte 488 de 900: a conexão caiu: \
@@ -409,5 +409,26 @@ mod tests {
         assert_eq!(english, " but \"ACME Meter 3\"");
         assert_eq!(portuguese, ", e sim \"ACME Meter 3\"");
         assert_eq!(what(Lang::En, None), "");
+    }
+
+    #[test]
+    fn what_came_of_settings_is_told() {
+        let told = |is_for_next, again| {
+            let settled = Done::Settled(Settled { is_for_next, again });
+            done(Lang::En, settled).expect("a text")
+        };
+        let kept = "the board keeps these settings";
+        assert_eq!(told(false, Again::WasNot), kept);
+        assert_eq!(
+            told(false, Again::Held),
+            format!("{kept}; it is in STOP now")
+        );
+        assert!(told(true, Again::Runs).contains("after its next start"));
+        assert_eq!(done(Lang::En, Done::Plainly), None);
+        let [english, portuguese] = said(|lang| unsettled(lang, &Unsettled::Rate(300)));
+        assert!(english.contains("300 baud; it supports"), "{english}");
+        assert!(portuguese.contains("300 baud; ela aceita"), "{portuguese}");
+        let why = Unsettled::NotTaken(Failure::Silent);
+        assert!(unsettled(Lang::En, &why).contains("the board does not answer"));
     }
 }

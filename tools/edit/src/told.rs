@@ -10,26 +10,26 @@ unoclp_words::messages! {
     not_one_series() "select elements of one series" "selecione elementos da mesma série";
     select_elements() "select an element first" "selecione antes um elemento";
     select_one() "select a single element" "selecione um único elemento";
-    no_opposite() "this element has no opposite" "este elemento não tem oposto";
+    no_opposite() "this element has no inverted form" "este elemento não tem forma invertida";
     no_such_coil() "this point cannot have that kind of coil" "este ponto não aceita esse tipo de bobina";
     not_that_address() "this element cannot have that address" "este elemento não aceita esse endereço";
     contacts_only() "only a contact can detect an edge" "só um contato pode detectar uma borda";
     if_ends_rung() "an IF must be the last element of its rung, outside of branches" "um IF deve ser o último elemento do degrau, fora de ramos";
-    not_an_element() "this cannot be inserted" "isto não pode ser inserido";
+    not_an_element() "this element cannot be inserted here" "este elemento não pode ser inserido aqui";
     too_deep() "too many nested branches" "há ramos aninhados demais";
-    nothing_copied() "nothing has been copied" "nada foi copiado";
+    nothing_copied() "nothing has been copied; copy an element first" "nada foi copiado; copie antes um elemento";
     into_itself() "an element cannot move into itself" "um elemento não pode ir para dentro de si mesmo";
-    no_further() "it cannot move further" "não dá para mover mais";
+    no_further() "no further move is possible in this direction" "não é possível mover mais o elemento nesta direção";
     cannot_join() "no rung below can be joined to this one" "nenhum degrau abaixo pode ser unido a este";
-    out_of_range() "the number is out of its range" "o número está fora da faixa";
+    out_of_range() "the number is out of range" "o número está fora da faixa";
     nothing_to_undo() "there is nothing to undo" "não há nada a desfazer";
     nothing_to_redo() "there is nothing to redo" "não há nada a refazer";
     name_taken() "another point has that name" "outro ponto já tem esse nome";
     select_block() "select a block first" "selecione antes um bloco";
     missing() "an address or an operand is missing" "falta um endereço ou um operando";
-    no_point_left() "this needs more than 8 branch points" "isto precisa de mais de 8 pontos de ramificação";
+    no_point_left() "this rung needs more than 8 branch points" "este degrau precisa de mais de 8 pontos de ramificação";
     bridge() "this path is empty, so its parallel elements have no effect" "este caminho está vazio; por isso os elementos em paralelo não têm efeito";
-    leads_nowhere() "no coil follows this, so it has no effect" "nenhuma bobina vem depois disto; por isso não tem efeito";
+    leads_nowhere() "no coil comes after this element, so it has no effect" "nenhuma bobina vem depois deste elemento; por isso ele não tem efeito";
 }
 
 /// Why an operation is refused.

@@ -1,19 +1,19 @@
 //! What is told of a drawing in words.
 
 unoclp_words::messages! {
-    unfinished() "the drawing is not a program yet; its problems show what is missing" "o desenho ainda não é um programa; os problemas mostram o que falta";
+    unfinished() "the drawing is not complete; the list of problems shows what is missing" "o desenho não está completo; a lista de problemas mostra o que falta";
     no_element(id) "no element is called {id}" "nenhum elemento se chama {id}";
     no_field(key) "this element has no field {key}" "este elemento não tem o campo {key}";
     no_drawing() "no drawing is open" "nenhum desenho está aberto";
     select_one() "select one element first" "selecione um elemento primeiro";
-    no_name(name) "{name} cannot be a name; use letters, digits and _, and not an address" "{name} não serve de nome: use letras, dígitos e _, e não um endereço";
-    no_address(text) "{text} is not an address; write one such as I1, Q1, M1, T1" "{text} não é um endereço; escreva um como I1, Q1, M1, T1";
+    no_name(name) "{name} cannot be a name; use letters, digits and _, but not an address" "{name} não serve de nome; use letras, algarismos e _, mas não um endereço";
+    no_address(text) "{text} is not an address; write one such as I1, Q1 or M1" "{text} não é um endereço; escreva um como I1, Q1 ou M1";
     no_such_point(name) "no point is called {name}; write an address, such as I1, and the name after it: I1 {name}" "nenhum ponto se chama {name}; escreva o endereço, como I1, e o nome depois dele: I1 {name}";
     system_marker(name) "{name} is a system marker of the board, not a button. Which one do you mean?" "{name} é uma memória de sistema da placa, não um botão. Qual dos dois você quer?";
     is_system_marker(name) "{name}, the system marker" "{name}, a memória de sistema";
-    timer_drives(name) "{name} is the timer itself, and its number comes from its place. It must drive an output or a marker" "{name} é o próprio temporizador, que recebe o número pela posição. Ele precisa acionar uma saída ou uma memória";
+    timer_drives(name) "{name} is the timer itself, numbered by its position. Enter the output or marker that it drives" "{name} é o próprio temporizador, numerado pela posição. Indique a saída ou a memória que ele aciona";
     free_point(point) "{point}, which is free" "{point}, que está livre";
-    no_time(text) "{text} is not a time; write ms, such as 4000, or a time such as 4s or T#1m30s" "{text} não é um tempo; escreva ms, como 4000, ou um tempo como 4s ou T#1m30s";
+    no_time(text) "{text} is not a time; write one such as 4000 (ms), 4s or T#1m30s" "{text} não é um tempo; escreva um como 4000 (ms), 4s ou T#1m30s";
     no_number(text) "{text} is not a number, a register, an analogue input, a timer or a counter that fits here" "{text} não é um número, registrador, entrada analógica, temporizador ou contador que sirva aqui";
     contacts() "Contacts" "Contatos";
     coils() "Coils" "Bobinas";
@@ -35,8 +35,8 @@ unoclp_words::messages! {
     tof() "off-delay timer (TOF)" "temporizador com retardo na desenergização (TOF)";
     tp() "pulse timer (TP)" "temporizador de pulso (TP)";
     tonr() "retentive on-delay timer" "temporizador retentivo com retardo na energização";
-    ctu() "counter, up (CTU)" "contador crescente (CTU)";
-    ctd() "counter, down (CTD)" "contador decrescente (CTD)";
+    ctu() "up counter (CTU)" "contador crescente (CTU)";
+    ctd() "down counter (CTD)" "contador decrescente (CTD)";
     gt() "greater" "maior";
     ge() "greater or equal" "maior ou igual";
     eq() "equal" "igual";

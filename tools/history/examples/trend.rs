@@ -1,7 +1,7 @@
 //! How long a trend of 30 days takes in a history of so many samples: `trend [SAMPLES] [FOLDER]`. Says it as JSON. The figures are in
 //! `docs/site-benchmarks.md`.
 //!
-//! A thousand points change evenly over 30 days, and are written in the order of time, as a gateway does.
+//! A thousand points change at regular intervals over 30 days, and are written in the order of time, as a gateway does.
 
 use std::path::PathBuf;
 use std::time::Instant;

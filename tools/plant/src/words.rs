@@ -4,38 +4,38 @@
 
 unoclp_words::messages! {
     range(key, from, to)
-        "`{key}` is out of its range; use {from} to {to}"
+        "`{key}` is out of range; use {from} to {to}"
         "`{key}` está fora da faixa; use de {from} a {to}";
     no_number(key, given)
-        "`{key}` must be a whole number, and {given} is not one; write one without quotes"
-        "`{key}` deve ser um número inteiro, e {given} não é; escreva um sem aspas";
+        "`{key}` must be a whole number, but {given} is not one; write one without quotes"
+        "`{key}` deve ser um número inteiro, mas {given} não é; escreva um sem aspas";
     no_unit(key, given, known, example)
-        "`{key}` must be a number with a unit ({known}), and {given} is not; write \"{example}\""
-        "`{key}` deve ser um número com unidade ({known}), e {given} não é; escreva \"{example}\"";
+        "`{key}` must be a number with a unit ({known}), but {given} is not one; write \"{example}\""
+        "`{key}` deve ser um número com unidade ({known}), mas {given} não é; escreva \"{example}\"";
     name(given)
-        "{given} cannot be the name of a part; use a letter, then letters, digits and _, at most 24, and no keyword of Structured Text"
-        "{given} não é um nome de elemento; use uma letra e depois letras, algarismos e _, no máximo 24, e nenhuma palavra reservada do Texto Estruturado";
+        "{given} cannot be the name of a part; use a letter, then letters, digits or _, up to 24 characters, but not a Structured Text keyword"
+        "{given} não serve de nome de elemento; use uma letra e depois letras, algarismos ou _, até 24 caracteres, mas não uma palavra reservada do Texto Estruturado";
     two_names(name)
         "two parts are called {name}; give each its own name"
-        "dois elementos se chamam {name}; dê a cada um o seu nome";
+        "dois elementos se chamam {name}; dê a eles nomes diferentes";
     no_part()
         "there are no parts; add a [[part]] with a name and a kind"
         "não há elementos; acrescente um [[part]] com nome e tipo";
     too_many(key, most)
         "there are more than {most} [[{key}]]; delete some"
-        "há mais de {most} [[{key}]]; tire alguns";
+        "há mais de {most} [[{key}]]; apague alguns";
     no_such_part(name, known)
         "there is no part {name}; known parts: {known}"
         "não existe o elemento {name}; elementos conhecidos: {known}";
     other_kind(name, kind, known)
-        "{name} is a {kind}; name a part of kind {known}"
+        "{name} is of kind {kind}; name a part of kind {known}"
         "{name} é do tipo {kind}; indique um elemento do tipo {known}";
     no_such_value(name, value, known)
         "{name} has no value {value}; it has {known}"
         "{name} não tem o valor {value}; tem {known}";
     no_signal(given)
-        "{given} drives nothing; write an output, \"Q1\", its PWM, \"P1\", or a value of a part, \"k1.closed\"; put \"not\" before it to invert it"
-        "{given} não aciona nada; escreva uma saída, \"Q1\", o PWM dela, \"P1\", ou um valor de um elemento, \"k1.closed\"; ponha \"not\" antes para inverter";
+        "{given} cannot drive a part; write an output (\"Q1\"), its PWM (\"P1\") or a value of a part (\"k1.closed\"); add \"not\" before it to invert the value"
+        "{given} não pode acionar um elemento; escreva uma saída (\"Q1\"), o PWM dela (\"P1\") ou um valor de um elemento (\"k1.closed\"); ponha \"not\" antes para inverter o valor";
     no_input(given)
         "{given} is not an input; write \"I1\", or \"I1 nc\" for a normally closed contact"
         "{given} não é uma entrada; escreva \"I1\", ou \"I1 nc\" para um contato normalmente fechado";
@@ -43,11 +43,11 @@ unoclp_words::messages! {
         "{given} is not an analogue input; write \"A0\""
         "{given} não é uma entrada analógica; escreva \"A0\"";
     no_point(point, board, known)
-        "{board} has no {point}; it has {known}; choose another, or write `board = \"pc\"`"
+        "the {board} has no {point}; it has {known}; choose another, or write `board = \"pc\"`"
         "a placa {board} não tem {point}; tem {known}; escolha outro ponto, ou escreva `board = \"pc\"`";
     two_uses(point, other)
-        "{other} also sets {point}; give each its own input"
-        "{other} também comanda {point}; dê a cada um a sua entrada";
+        "{other} also sets {point}; choose another input"
+        "{other} também comanda {point}; escolha outra entrada";
     shared_pin(point, other)
         "{point} shares its pin with {other}, which is in use; choose another input"
         "{point} usa o mesmo pino que {other}, que está em uso; escolha outra entrada";
@@ -55,22 +55,22 @@ unoclp_words::messages! {
         "{point} is used both with and without PWM; keep one of the two"
         "{point} é usada com e sem PWM; deixe só um dos usos";
     cycle(way)
-        "these parts depend on each other in a loop: {way}; remove one of the names"
-        "há uma dependência circular entre estes elementos: {way}; tire um dos nomes";
+        "these parts depend on each other in a loop: {way}; remove one of the references"
+        "há uma dependência circular entre estes elementos: {way}; tire uma das referências";
     no_condition(told, help)
         "this is not a condition in Structured Text: {told}{help}; write one like \"tank.level > 950 AND NOT drain.open\""
-        "isto não é uma condição de Texto Estruturado: {told}{help}; escreva uma como \"tank.level > 950 AND NOT drain.open\"";
+        "isto não é uma condição em Texto Estruturado: {told}{help}; escreva uma como \"tank.level > 950 AND NOT drain.open\"";
     not_by_hand(path, known)
         "{path} cannot be changed by hand; change {known}"
         "{path} não pode ser mudado à mão; mude {known}";
     no_fault(kind, given, known)
-        "a {kind} cannot be {given}; it can be {known}"
-        "um elemento {kind} não pode ter a falha {given}; pode ter {known}";
+        "a part of kind {kind} cannot be {given}; it can be {known}"
+        "um elemento do tipo {kind} não pode ter a falha {given}; pode ter {known}";
     never_comes()
         "this fault never occurs; write `at = \"10 s\"` or `when = \"tank.level > 500\"`"
         "esta falha nunca acontece; escreva `at = \"10 s\"` ou `when = \"tank.level > 500\"`";
     too_late(key, until)
-        "`{key}` is after the end, at {until}; make `until` longer"
+        "`{key}` is after the end, at {until}; increase `until`"
         "`{key}` vem depois do fim, em {until}; aumente `until`";
     nothing() "nothing" "nada";
     required() "required" "obrigatório";
@@ -80,10 +80,10 @@ unoclp_words::messages! {
     values() "has" "tem";
     faults() "may be" "pode estar";
     by_hand() "by hand" "à mão";
-    damage() "stays until the reset" "fica até reiniciar";
+    damage() "stays true until the reset" "permanece até o reset da máquina";
     flag() "true or false" "verdadeiro ou falso";
     group_panel() "Panel" "Painel";
-    group_electric() "Electric" "Elétrica";
+    group_electric() "Electrical" "Elétrica";
     group_fluid() "Fluid" "Fluidos";
     group_heat() "Heat" "Calor";
     group_motion() "Motion" "Movimento";

@@ -1,4 +1,4 @@
-//! The seal of a program file: a comment in its last line, with the length and the check sum of all before it.
+//! The seal of a program file: a comment in its last line, with the length and the checksum of all before it.
 //!
 //! ```text
 //! 0         / program start [unoclp: length and check sum in the last line]

@@ -74,7 +74,11 @@ impl Size {
         let room = usize::from(self.board.stored_bytes);
         let free = room.saturating_sub(self.stored_bytes);
         let size = words::size(lang, codes, self.stored_bytes, room, free, parts.join(", "));
-        let run = words::run_memory(lang, self.linked_bytes, self.board.linked_bytes, used);
+        let pins = match used.to_string() {
+            pins if pins.is_empty() => words::no_pins(lang),
+            pins => words::pins(lang, pins),
+        };
+        let run = words::run_memory(lang, self.linked_bytes, self.board.linked_bytes, pins);
         let kept = self.kept.map(|kept| format!("\n  {}", kept.told(lang)));
         format!("{size}\n  {run}{}", kept.unwrap_or_default())
     }

@@ -4,9 +4,11 @@ unoclp_words::messages! {
     size(codes, stored, room, free, parts)
         "{codes}, {stored} of {room} bytes ({free} free), {parts}"
         "{codes}, {stored} de {room} bytes ({free} livres), {parts}";
-    run_memory(linked, room, used)
-        "{linked} of {room} bytes of run memory; pins: {used}"
-        "{linked} de {room} bytes de memória de execução; pinos: {used}";
+    run_memory(linked, room, pins)
+        "{linked} of {room} bytes of run memory; {pins}"
+        "{linked} de {room} bytes de memória de execução; {pins}";
+    pins(used) "pins: {used}" "pinos: {used}";
+    no_pins() "no pins" "nenhum pino";
     kept_number(minutes)
         "after a power cut: 1 number, at most {minutes} old"
         "após uma queda de energia: 1 número, gravado no máximo {minutes} antes";
@@ -28,8 +30,8 @@ unoclp_words::messages! {
     marker() "1 marker" "1 memória";
     markers(count) "{count} markers" "{count} memórias";
     seal_changed()
-        "somebody changed this file after unoclp wrote it: its last line gives a different length or check sum"
-        "alguém mudou este arquivo depois que o unoclp o gravou: a última linha indica outro tamanho ou outra soma de verificação";
+        "this file was changed after unoclp wrote it: its last line gives a different length or checksum"
+        "este arquivo foi alterado depois que o unoclp o gravou: a última linha indica outro tamanho ou outra soma de verificação";
     seal_changed_help()
         "if you changed it yourself, delete that line"
         "se foi você que o mudou, apague essa linha";
@@ -39,7 +41,7 @@ unoclp_words::messages! {
     seal_cut_help()
         "write the file again; if you shortened it yourself, delete the comment [unoclp: …] in its first line"
         "grave o arquivo de novo; se foi você que o encurtou, apague o comentário [unoclp: …] na primeira linha";
-    lost(parts) "A change in the drawing rewrites this text and loses: {parts}" "Uma mudança no desenho reescreve este texto e perde: {parts}";
+    lost(parts) "Changes in the drawing remove this from the text: {parts}" "Mudanças no desenho apagam isto do texto: {parts}";
     lost_types() "declarations of types, blocks and arrays" "declarações de tipos, blocos e matrizes";
     lost_dialect(maker) "the mnemonics of {maker}" "os mnemônicos de {maker}";
     lost_comment(first) "the comment “{first}”" "o comentário “{first}”";
@@ -47,9 +49,9 @@ unoclp_words::messages! {
     lacks(board, parts) "the {board} lacks {parts}" "faltam ao {board} {parts}";
     lacks_inputs() "inputs" "as entradas";
     lacks_outputs() "outputs" "as saídas";
-    lacks_pwm() "PWM of outputs" "PWM das saídas";
+    lacks_pwm() "PWM outputs" "as saídas PWM";
     lacks_analogue() "analogue inputs A" "as entradas analógicas A";
-    lacks_pins() "pins of their own for inputs" "pinos próprios para as entradas";
+    lacks_pins() "separate pins for inputs" "pinos próprios para as entradas";
     lacks_markers() "markers" "as memórias";
     lacks_counters() "counters" "os contadores";
     lacks_labels() "labels" "os rótulos";

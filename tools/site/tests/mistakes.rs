@@ -60,7 +60,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqtt]\nbroker = \"mqtt://me:secret@a\"\n"),
             6,
-            "unoclp prints addresses; write `user` and `password`",
+            "unoclp displays it; write `user` and `password`",
         ),
         (
             with("[mqtt]\nbroker = \"mqtt://a\"\nca = \"ca.pem\"\n"),
@@ -70,12 +70,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqtt]\nbroker = \"mqtt://a\"\npassword = \"x\"\n"),
             7,
-            "no password without a user",
+            "does not accept a password without a user",
         ),
         (
             with("[mqtt]\nbroker = \"mqtt://a\"\ntopic = \"a/b\"\n"),
             7,
-            "`topic` cannot be \"a/b\"; use letters",
+            "`topic` cannot be \"a/b\"; use at most 32 letters",
         ),
         (
             with("[mqtt]\nbroker = \"mqtt://a\"\nhome_assistant = \"yes\"\n"),
@@ -132,13 +132,13 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("address = 0\n"),
             5,
-            "`address` is out of its range; use a number from 1 to 247",
+            "`address` is out of range; use a number from 1 to 247",
         ),
-        (with("unit = 248\n"), 5, "`unit` is out of its range"),
+        (with("unit = 248\n"), 5, "`unit` is out of range"),
         (
             with("unit = 99999999999999999999\n"),
             5,
-            "`unit` is out of its range",
+            "`unit` is out of range",
         ),
         (
             "[[line]]\nport = \"a\"\nrate = 9601\n[[line.board]]\nname = \"x\"\n".into(),
@@ -174,12 +174,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             "\n[[line]]\n[[line.board]]\nname = \"x\"\n".into(),
             2,
-            "either a `port` or a `tcp`",
+            "either `port` or `tcp`",
         ),
         (
             "[[line]]\nport = \"a\"\ntcp = \"b:1\"\n[[line.board]]\nname = \"x\"\n".into(),
             1,
-            "either a `port` or a `tcp`",
+            "either `port` or `tcp`",
         ),
         (
             "[[line]]\ntcp = \"b:1\"\nrate = 9600\n[[line.board]]\nname = \"x\"\n".into(),
@@ -209,7 +209,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[line.board]]\nname = \"y\"\nunit = 2\naddress = 1\n"),
             8,
-            "x on this line also has address 1; give one of them a different address with `unoclp settings",
+            "x on this line also has address 1; give one board a different address with `unoclp settings",
         ),
         (
             with("[[line]]\nport = \"b\"\n[[line.board]]\nname = \"y\"\n"),
@@ -259,7 +259,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[history]\nstore = \"postgres://me:secret@a/b\"\n"),
             6,
-            "unoclp prints addresses; write \"postgres://gateway@db.example/plant\", and `password`",
+            "unoclp displays it; write \"postgres://gateway@db.example/plant\", and `password`",
         ),
         (
             with("[history]\nstore = \"\"\n"),
@@ -269,7 +269,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[history]\nstore = \"h.db\"\npassword = \"x\"\n"),
             7,
-            "a history in a file has no `password`; remove it",
+            "a history in a file has no `password`; remove that key",
         ),
         (
             with("[history]\nstore = \"postgres://me@a/b\"\ntls = \"some\"\n"),
@@ -341,7 +341,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[alarm]]\nname = \"a b\"\nwhen = \"x.I1\"\ntext = \"a\"\n"),
             6,
-            "\"a b\" is not a valid name; start with a letter",
+            "\"a b\" is not a valid name; use at most 32 letters",
         ),
         (
             with(&(alarm("x.I1") + &alarm("x.I2"))),
@@ -381,12 +381,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[alarm]]\nname = \"a\"\nwhen = \"x.I1\"\ntext = {}\n"),
             8,
-            "this alarm has no text; write `text = {",
+            "this alarm has no valid text (one line, at most 200 characters); write `text = {",
         ),
         (
             with("[[alarm]]\nname = \"a\"\nwhen = \"x.I1\"\ntext = \" \"\n"),
             8,
-            "this alarm has no text",
+            "this alarm has no valid text",
         ),
         (
             with(&(alarm("x.I1") + "for = \"2d\"\n")),
@@ -445,7 +445,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with(&user("secret")),
             8,
-            "this is not a user's key; `unoclp site key NAME` makes one",
+            "this is not a valid user key; run `unoclp site key NAME` to make one",
         ),
         (
             with("[[user]]\nname = \"u\"\nrole = \"watch\"\n"),
@@ -556,17 +556,17 @@ fn a_right_file_says_what_it_would_do() {
         "page: http://0.0.0.0:80/, open to the network, not encrypted",
         "line a: 115200 baud, no parity",
         "board x (UNO): address 3, unit 7, read every 250ms",
-        "program tank.st: its names (3) apply while the board has check sum ",
-        "line 10.0.0.7:502: by Modbus TCP",
+        "program tank.st: its names (3) apply while the board has the program with checksum ",
+        "line 10.0.0.7:502: over Modbus TCP",
         "board y (UNO): address 1, unit 1, read every 500ms",
-        "no program: points have their own names",
-        "history: h.db, every change for 30d, then minutes and hours",
+        "no program: points are called Q1, D5 and so on",
+        "history: h.db, every change for 30d, then summaries per minute and per hour",
         "journal: written to disk every 200ms, at most 256MB",
-        "Modbus TCP: 127.0.0.1:1502; anyone who reaches it may write x.TARGET",
+        "Modbus TCP: 127.0.0.1:1502; anyone who can reach this address can write x.TARGET",
     ] {
         assert!(told.contains(part), "{part}\n{told}");
     }
-    assert!(plan(&site, Lang::Pt).contains("quem chegar até ele pode escrever"));
+    assert!(plan(&site, Lang::Pt).contains("quem puder acessar este endereço pode escrever"));
 }
 
 #[test]
@@ -576,8 +576,8 @@ fn a_plan_says_what_a_broker_is_told_and_may_write() {
     let site = of(&format!("{LINE}{mqtt}{more}")).unwrap();
     let told = plan(&site, Lang::En);
     for part in [
-        "MQTT: mqtt://10.0.0.7:1883, topics below unoclp\n  not encrypted",
-        "may publish there may write x.D1\n  Home Assistant finds each board\n",
+        "MQTT: mqtt://10.0.0.7:1883, topics under unoclp\n  not encrypted",
+        "anyone who may publish to the broker can write x.D1\n  Home Assistant discovers each board\n",
         "group lab, edge node unoclp, while host scada is online",
     ] {
         assert!(told.contains(part), "{part}\n{told}");
@@ -586,7 +586,7 @@ fn a_plan_says_what_a_broker_is_told_and_may_write() {
     let site = of(&format!("{LINE}[mqtt]\nbroker = \"mqtt://localhost\"\n")).unwrap();
     let told = plan(&site, Lang::En);
     assert!(
-        told.ends_with("below unoclp\n  it can write nothing\n"),
+        told.ends_with("under unoclp\n  the broker cannot write anything\n"),
         "{told}"
     );
 }

@@ -49,7 +49,7 @@ fn the_steps_of_the_page_make_one_site() {
     let site = read(&english, &Folder).unwrap_or_else(|wrong| panic!("{wrong:?}\n{english}"));
     assert_eq!(site.boards().count(), 5);
     let told = plan(&site, Lang::En);
-    assert!(told.contains("may write estufa.target, bomba.M1"), "{told}");
+    assert!(told.contains("can write estufa.target, bomba.M1"), "{told}");
     assert_eq!((site.alarms.len(), site.users.len()), (2, 1));
     let panel = &site.panels[0];
     assert_eq!((&*panel.name, panel.items.len()), ("estufa", 4));

@@ -80,7 +80,7 @@ fn a_file_says_what_stands_where_and_how_it_is_written() {
             .chain(&y.items)
             .all(|item| item.grant.is_none())
     );
-    assert!(plan(&site, Lang::En).contains("panel tank: 3 items\n"));
+    assert!(plan(&site, Lang::En).contains("panel tank (items: 3)\n"));
 }
 
 #[test]
@@ -94,7 +94,7 @@ fn each_mistake_is_told_with_its_line_in_the_file() {
         ),
         (
             "columns = 13\n".into(),
-            "1: `columns` is out of its range; use a number from 1 to 12",
+            "1: `columns` is out of range; use a number from 1 to 12",
         ),
         (
             "title = { en = \"Tank\" }\n".into(),
@@ -136,7 +136,7 @@ fn each_mistake_is_told_with_its_line_in_the_file() {
         ),
         (
             item("at = [5, 1]"),
-            "4: `at` is out of its range; use a number from 1 to 4",
+            "4: `at` is out of range; use a number from 1 to 4",
         ),
         (
             item("at = [1]"),

@@ -1,4 +1,4 @@
-// Reading the program back that a board keeps. One whose check sum the browser knows comes as it was written, with its names;
+// Reading the program back that a board keeps. One whose checksum the browser knows comes as it was written, with its names;
 // any other as numeric code. It opens as a program of its own.
 
 import type { Stored, Text } from "../tools/answers";

@@ -28,7 +28,7 @@ export class Moments {
   read(at: number): number {
     const [from] = this.before;
     this.before = [this.before[1], at];
-    // The time of a reading is the page's own, which may run ahead: what was told only after the last one is new as well.
+    // What was told only after the last reading is new as well.
     const isNew = (turn: Turn): boolean => turn.at > from || turn.told === this.readings;
     const turns = this.turns.filter((turn) => isNew(turn) && turn.at <= at).sort((one, other) => one.at - other.at);
     this.readings += 1;

@@ -1,4 +1,4 @@
-// Which program the board has: its check sum tells, after a reload, of another board, of a card. What is shown of the
+// Which program the board has: its checksum tells, after a reload, of another board, of a card. What is shown of the
 // board goes by that program, and not by the one that somebody writes meanwhile.
 
 import type { Made, Stored, Text } from "../tools/answers";

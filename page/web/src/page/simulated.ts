@@ -15,6 +15,7 @@ export class SimulatedBoard implements Clock {
   private runs = false;
   private pace = 1;
   private latest = 0;
+  private spokeAt = 0;
   hasPower = false;
   /** Which board it is. */
   id: BoardId = "uno";
@@ -73,6 +74,11 @@ export class SimulatedBoard implements Clock {
     return this.latest;
   }
 
+  /** When it last spoke on its line, ms: what it said is no newer, and what it says next is no older. */
+  spoke(): number {
+    return this.spokeAt;
+  }
+
   factor(): number {
     return this.runs && this.hasPower ? this.pace : 0;
   }
@@ -94,8 +100,10 @@ export class SimulatedBoard implements Clock {
     if (event.kind === "power") {
       this.hasPower = event.on;
       this.latest = 0;
+      this.spokeAt = 0;
       this.settle(0);
     }
+    if (event.kind === "serial") this.spokeAt = event.at;
     if (event.kind === "pace") this.pace = event.factor > 0 ? event.factor : this.pace;
     if (event.kind === "paused") this.settle(event.at, false);
     else if ("at" in event) this.settle(event.at);

@@ -80,7 +80,8 @@ export class Trend {
       if (!seen) return;
       this.settle();
       this.marked = new Set(forcedNames(seen));
-      if (bench.where.value === "simulated") this.held = { seen, at: bench.simulated.now() };
+      // The page's own clock runs ahead of a board that a busy computer simulates: a cause would come after its effect.
+      if (bench.where.value === "simulated") this.held = { seen, at: bench.simulated.spoke() };
       else {
         for (const point of this.points) {
           const forced = point.hand === "force" ? forcedTo(seen, point.name) : null;

@@ -2,7 +2,7 @@
 
 export const CHART = {
   chart: ["Chart", "SFC"],
-  chartSheet: ["Chart; arrows move, Enter edits, A adds a step, I a step before, B a branch, P a parallel step, Q an action", "SFC; as setas movem, Enter edita, A põe uma etapa, I uma etapa antes, B um ramo, P uma etapa paralela, Q uma ação"],
+  chartSheet: ["Chart; arrows move the selection; Enter edits it; A adds a step after it, I a step before it, B a branch, P a parallel step, Q an action", "SFC; as setas movem a seleção; Enter a edita; A acrescenta uma etapa depois dela, I, uma etapa antes dela, B, um ramo, P, uma etapa paralela, e Q, uma ação"],
   chartUndo: ["Undo in the chart", "Desfazer no SFC"],
   chartRedo: ["Redo in the chart", "Refazer no SFC"],
   chartAfter: ["+ Step", "+ Etapa"],

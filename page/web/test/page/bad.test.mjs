@@ -49,7 +49,7 @@ const paste = (page, text, times) => page.locator(".cm-content").evaluate((conte
   content.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
 }, /** @type {const} */ ([text, times]));
 
-const NO_PROGRAM = /** @type {Said} */ ([/contains no program. Your program is still here/, /não contém um programa. O seu continua aqui/]);
+const NO_PROGRAM = /** @type {Said} */ ([/contains no program. Your program is still here/, /não contém nenhum programa. O seu programa continua aqui/]);
 const NO_CARD = /** @type {Said} */ ([/not a card image with FAT16 or FAT32. Make one here/, /não é a imagem de um cartão com FAT16 ou FAT32. Crie um aqui/]);
 
 /** @type {[string, (page: Page) => Promise<unknown>, Said][]} */
@@ -117,7 +117,7 @@ test("a browser that keeps nothing says so, and offers the file", async () => {
 });
 
 test("a browser whose store is forbidden to the page says so, and runs the program", async () => {
-  for (const [locale, said] of /** @type {const} */ ([["en-US", "cannot store your program"], ["pt-BR", "não guarda o seu programa"]])) {
+  for (const [locale, said] of /** @type {const} */ ([["en-US", "cannot store your program"], ["pt-BR", "não consegue guardar o seu programa"]])) {
     const context = await lab.browser.newContext({ locale, serviceWorkers: "block" });
     await context.addInitScript(() => {
       for (const name of ["localStorage", "sessionStorage", "indexedDB"]) {
@@ -142,7 +142,7 @@ test("a browser without WebAssembly says so in plain HTML, and gives the program
   await page.locator('.ladder .element[data-point="Q3"]').waitFor();
   await page.context().addInitScript("delete window.WebAssembly");
   await page.reload();
-  await page.locator("#stuck", { hasText: /Firefox, Chrome, Edge or Safari[^]*continua guardado/ }).waitFor();
+  await page.locator("#stuck", { hasText: /Firefox, Chrome, Edge or Safari[^]*continuam guardados/ }).waitFor();
   const download = page.waitForEvent("download");
   await page.click("#save-kept");
   assert.equal((await download).suggestedFilename(), "mine.il");

@@ -21,7 +21,7 @@ const NINE = "LD I9\nST Q40\nLDN S1\nTON T1, 20\nST Q41\n";
 
 for (const { locale, none, fits, lacks, runs, card } of [
   { locale: "en-US", none: /PC is not a board/, fits: /also fits on UNO, Nano/, lacks: /No board can run this program: the UNO lacks inputs 09; outputs 40, 41\./, runs: /RUN: this computer/, card: /the UNO lacks inputs 09/ },
-  { locale: "pt-BR", none: /PC não é uma placa/, fits: /também cabe em UNO, Nano/, lacks: /Nenhuma placa consegue executar este programa: faltam ao UNO as entradas 09; as saídas 40, 41\./, runs: /RUN: este computador/, card: /faltam ao UNO as entradas 09/ },
+  { locale: "pt-BR", none: /PC não é uma placa/, fits: /também cabe em UNO, Nano/, lacks: /Nenhuma placa consegue executar este programa: faltam ao UNO as entradas 09; as saídas 40, 41\./, runs: /RUN: varreduras neste computador/, card: /faltam ao UNO as entradas 09/ },
 ]) {
   test(`a board that is none is called so, and sent to nobody, ${locale}`, async () => {
     const page = await lab.open({ locale });

@@ -115,8 +115,8 @@ test("from another computer the page says what it cannot do there, and gives its
   const lan = await launch(["--host-resolver-rules=MAP lab.example 127.0.0.1"]);
   const address = server.url.replace("127.0.0.1", "lab.example");
   for (const [locale, said, button] of /** @type {const} */ ([
-    ["en-US", /came from http:\/\/lab\.example:\d+\. A page from another computer may not use serial ports/, "Save the page as one file"],
-    ["pt-BR", /veio de http:\/\/lab\.example:\d+\. Uma página de outro computador não pode usar portas seriais/, "Salvar a página como um arquivo"],
+    ["en-US", /came from http:\/\/lab\.example:\d+\. Over http, a page from another computer cannot use serial ports/, "Save the page as one file"],
+    ["pt-BR", /veio de http:\/\/lab\.example:\d+\. Por http, uma página de outro computador não pode usar portas seriais/, "Salvar a página em um único arquivo"],
   ])) {
     const page = await (await lan.newContext({ locale })).newPage();
     page.setDefaultTimeout(PATIENCE);

@@ -454,7 +454,7 @@ test("what a drawing would lose of a text is told before the first change, and a
   await type(page, TYPED, "mine.il");
   await page.click("#view-draw");
   const banner = page.locator("#draw-banner");
-  await banner.filter({ hasText: "loses: declarations of types, blocks and arrays" }).waitFor();
+  await banner.filter({ hasText: "remove this from the text: declarations of types, blocks and arrays" }).waitFor();
   // What is drawn is seen, and no key changes it.
   await page.locator("#sheet .element").first().waitFor();
   await page.focus("#sheet");
@@ -464,7 +464,7 @@ test("what a drawing would lose of a text is told before the first change, and a
   await page.keyboard.press("ArrowDown");
   assert.equal(await keptText(page), TYPED);
   await select(page, "#speak", "pt");
-  await banner.filter({ hasText: "reescreve este texto e perde: declarações de tipos" }).waitFor();
+  await banner.filter({ hasText: "apagam isto do texto: declarações de tipos" }).waitFor();
   await select(page, "#speak", "en");
   await page.click("#draw-copy");
   await page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.getElementById("name")).value === "mine-copy.il");

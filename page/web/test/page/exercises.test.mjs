@@ -42,7 +42,7 @@ test("an exercise shows its task and hints, and the first failing case as a timi
     await page.keyboard.press("Enter");
   };
   await check("wrong/05-motor.il");
-  await exercise.locator("#verdict.bad", { hasText: "At 400 ms Q1 is 0; it should be 1." }).waitFor();
+  await exercise.locator("#verdict.bad", { hasText: "At 400 ms, Q1 is 0; it should be 1." }).waitFor();
   // What went wrong with the machine plays beneath, with a diagram of its own.
   const diagram = exercise.locator(".diagram:not(#replay .diagram) svg");
   for (const text of ["Start and let go", "I1 start", "Q1 motor", "expected", "actual"]) await diagram.getByText(text, { exact: true }).first().waitFor();

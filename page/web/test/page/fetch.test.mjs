@@ -32,8 +32,8 @@ async function reload(page) {
 }
 
 for (const [locale, known, unknown, none] of /** @type {const} */ ([
-  ["en-US", "which this browser knows", "as numeric code", "holds no program"],
-  ["pt-BR", "que este navegador conhece", "em código numérico", "não tem programa"],
+  ["en-US", "which this browser stores", "as numeric code", "has no program"],
+  ["pt-BR", "que este navegador guarda", "em código numérico", "não tem programa"],
 ])) {
   test(`the simulated board gives its program back, and nothing is overwritten, ${locale}`, async () => {
     const page = await lab.open({ locale });

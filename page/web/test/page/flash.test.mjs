@@ -72,7 +72,7 @@ async function puts(page, words, ready) {
 
 test("a board out of its box gets the firmware, runs a program live, and comes back where it was unplugged", async () => {
   const { page, cable, end } = await boxed("optiboot", false);
-  const share = page.locator("#desk-about", { hasText: /^Firmware: [1-9]\d? %$/ }).waitFor();
+  const share = page.locator("#desk-about", { hasText: /^Writing the firmware: [1-9]\d? %$/ }).waitFor();
   await puts(page, /The firmware was written and verified\./);
   await share;
   await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();

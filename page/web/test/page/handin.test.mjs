@@ -72,7 +72,7 @@ test("what is handed in says who, which exercise and what; grade finds out the r
   const teacher = await lab.still({ locale: "pt-BR" });
   await choose(teacher, right.file, Buffer.from(right.text));
   // Which exercise it is for is said: another may be open.
-  await teacher.locator("#notes", { hasText: "entregue por =Ana Júlia, para o exercício 05-motor" }).waitFor();
+  await teacher.locator("#notes", { hasText: "=Ana Júlia entregou este programa para o exercício 05-motor" }).waitFor();
   assert.equal(await keptText(teacher), said.program.text);
   assert.equal(await teacher.inputValue("#name"), "motor.il");
   await teacher.context().close();
@@ -92,7 +92,7 @@ test("a drawing is handed in too, and is drawn again where it is opened", async 
   assert.ok(drawing.log.length > 0);
   const other = await lab.still();
   await choose(other, "caio.unoclp.json", Buffer.from(text));
-  await other.locator("#notes", { hasText: "handed in by Caio" }).waitFor();
+  await other.locator("#notes", { hasText: "Caio handed in this program" }).waitFor();
   assert.deepEqual(JSON.parse((await keptHere(other, "drawing")) ?? "null"), drawing);
   await other.context().close();
 });

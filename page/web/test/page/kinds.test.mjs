@@ -89,7 +89,7 @@ test("a program is written again in another language, the given one beside", asy
   const page = await lab.still();
   await exercise(page, 55);
   await page.locator("#given .ladder [data-point=\"Q2\"]").first().waitFor();
-  await page.locator("#given", { hasText: "Write it in Structured Text." }).waitFor();
+  await page.locator("#given", { hasText: "Write the program in Structured Text." }).waitFor();
   const check = async (/** @type {string} */ path) => {
     await type(page, file(path), path.split("/").at(-1) ?? "");
     await page.click("#exercise-check");
@@ -111,7 +111,7 @@ test("a program is written again in another language, the given one beside", asy
   await check("exercises/write/02-into-ladder.il");
   await page.locator("#verdict.good").waitFor();
   await select(page, "#speak", "pt");
-  await page.locator("#given", { hasText: "Escreva em Lista de Instruções." }).waitFor();
+  await page.locator("#given", { hasText: "Escreva o programa em Lista de Instruções." }).waitFor();
   await page.context().close();
 });
 
@@ -193,7 +193,7 @@ test("the gallery has a picture of each machine, its exercises, and how far one 
   await page.locator("#gallery").waitFor({ state: "hidden" });
   await pick(page, "#machines");
   await belts.locator('[data-exercise="28-reverse-stop"]').click();
-  await page.locator("#exercise h3", { hasText: "Start backwards" }).waitFor();
+  await page.locator("#exercise h3", { hasText: "Start from the end" }).waitFor();
   await page.locator("#machine").waitFor();
   await type(page, file("exercises/28-reverse-stop.il"), "28.il");
   await page.click("#exercise-check");

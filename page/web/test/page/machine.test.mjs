@@ -54,8 +54,8 @@ for (const [where, board] of /** @type {const} */ ([["the simulated UNO", "uno"]
   test(`a program controls a machine, and a wrong one breaks it, on ${where}`, async () => {
     const page = await lab.open();
     await select(page, "#for-board", board);
-    await open(page, /both directions/);
-    await page.locator("#notes button", { hasText: "See a program" }).click();
+    await open(page, /reversing motor/);
+    await page.locator("#notes button", { hasText: "Show a program for this machine" }).click();
     await page.locator("#problem-count.good").waitFor();
     await run(page);
     assert.ok(await page.locator(".contacts").isHidden(), "the machine has buttons of its own");
@@ -82,8 +82,8 @@ for (const [where, board] of /** @type {const} */ ([["the simulated UNO", "uno"]
 
 test("a board on the desk controls a machine: its outputs are read, its inputs forced", async () => {
   const page = await connected(lab);
-  await open(page, /both directions/);
-  await page.locator("#notes button", { hasText: "See a program" }).click();
+  await open(page, /reversing motor/);
+  await page.locator("#notes button", { hasText: "Show a program for this machine" }).click();
   await page.locator("#problem-count.good").waitFor();
   await run(page);
   await page.locator("#machine-age", { hasText: /every \d+ ms/ }).waitFor();
@@ -106,7 +106,7 @@ test("a board on the desk controls a machine: its outputs are read, its inputs f
 test("a machine is worked by the keyboard, speaks both languages, and fails by hand", async () => {
   const page = await lab.open();
   await open(page, /Fill, stir, drain/);
-  await page.locator("#notes button", { hasText: "See a program" }).click();
+  await page.locator("#notes button", { hasText: "Show a program for this machine" }).click();
   await page.locator("#problem-count.good").waitFor();
   await run(page);
   await page.locator('#machine-picture [data-part="start"]').focus();

@@ -20,7 +20,7 @@ after(() => lab.end());
 const FAR = "LD I24\nST Q16\nLD I9\nST Q5\nLD IW7\nGT 500\nST Q10\n";
 
 for (const { locale, lacks } of [
-  { locale: "en-US", lacks: /the board Mega has this one/ },
+  { locale: "en-US", lacks: /the Mega has this one/ },
   { locale: "pt-BR", lacks: /a placa Mega tem/ },
 ]) {
   test(`a program of a Mega runs on a simulated Mega, ${locale}`, async () => {

@@ -89,7 +89,7 @@ test("an exercise is dropped with its machine, whose rules are sentences, and a 
   await page.locator("#exercise h3", { hasText: "A light on the porch" }).waitFor();
   assert.equal(await keptText(page), text, "the program stays as it was");
   assert.equal(await page.locator("#exercise-list option:checked").evaluate((option) => option.closest("optgroup")?.label), "From your class");
-  await page.locator("#machine-rules li", { hasText: "Never: Light (it is lit) and not Bell (somebody presses it), for longer than 0.2 s" }).waitFor();
+  await page.locator("#machine-rules li", { hasText: "Never: Light (it is lit) and not Bell (it is pressed), for longer than 0.2 s" }).waitFor();
   await page.locator("#machine-rules li", { hasText: "within 0.5 s: Light (it is lit)" }).waitFor();
   await solve(page);
   assert.deepEqual(await findings(page), []);
@@ -146,7 +146,7 @@ const HEAD = 'title = "t"\n[[part]]\nname = "b"\nkind = "button"\nto = "I1"\n';
 const part = (more) => `${HEAD}[[part]]\nname = "x"\n${more}\n`;
 /** Machines that are none, and what is said of them. @type {[string, string, Said][]} */
 const BAD = [
-  ["a part called <script>", 'title = "t"\n[[part]]\nname = "<script>alert(1)</script>"\nkind = "button"\n', [/cannot be the name of a part/, /não é um nome de elemento/]],
+  ["a part called <script>", 'title = "t"\n[[part]]\nname = "<script>alert(1)</script>"\nkind = "button"\n', [/cannot be the name of a part/, /não serve de nome de elemento/]],
   ["no such kind", part('kind = "rocket"'), [/bad\.toml:.*`kind` cannot be/, /bad\.toml:.*`kind` não pode ser/]],
   ["an input that two switch", part('kind = "button"\nto = "I1"'), [/bad\.toml:9: b also sets I1/, /bad\.toml:9: b também comanda I1/]],
   ["an input that the board lacks", part('kind = "button"\nto = "I40"'), [/has no I40; it has I1–I8/, /não tem I40; tem I1–I8/]],
@@ -154,7 +154,7 @@ const BAD = [
   ["a unit that is none", part('kind = "tank"\nholds = "5 bananas"'), [/a number with a unit/, /um número com unidade/]],
   ["a circle", `${HEAD}${["x", "y"].map((name, at) => `[[part]]\nname = "${name}"\nkind = "lamp"\nby = "${["y", "x"][at]}.lit"\n`).join("")}`, [/in a loop: x → y → x/, /dependência circular entre estes elementos: x → y → x/]],
   ["10,000 parts", `title = "t"\n${Array.from({ length: 10_000 }, (_, at) => `[[part]]\nname = "a${at}"\nkind = "lamp"\nby = "Q1"\n`).join("")}`, [/more than 100/, /mais de 100/]],
-  ["a rule that is no condition", `${HEAD}[[never]]\nwhen = "b.pressed := 1"\n`, [/not a condition in Structured Text/, /não é uma condição de Texto Estruturado/]],
+  ["a rule that is no condition", `${HEAD}[[never]]\nwhen = "b.pressed := 1"\n`, [/not a condition in Structured Text/, /não é uma condição em Texto Estruturado/]],
   ["HTML that says parts", "<html><script>alert(1)</script>\n[[part]]\n</html>\n", [/not TOML/, /não é TOML/]],
 ];
 

@@ -111,16 +111,16 @@ test("at 390 × 844 nothing lies beside the screen, and a finger runs a program"
 /** What is done, and what a screen reader hears of it.
  * @type {[(page: import("playwright-core").Page) => Promise<void>, en: RegExp, pt: RegExp][]} */
 const HEARD = [
-  [(page) => page.click("#run"), /RUN: the board is scanning/, /RUN: a placa faz/],
+  [(page) => page.click("#run"), /RUN: the board is scanning/, /RUN: varreduras na placa/],
   [(page) => page.keyboard.press("Shift+1"), /Q1 on/, /Q1 ligada/],
   [(page) => page.keyboard.press("Shift+2"), /Q1 off/, /Q1 desligada/],
   [(page) => page.click('tr[data-point="Q1"] button'), /forced: Q1/, /forçado: Q1/],
   [(page) => page.click("#release"), /nothing is forced/, /nada está forçado/],
   [(page) => pick(page, "#pause"), /Time is stopped/, /O tempo está parado/],
-  [(page) => pick(page, "#pause"), /Time is running/, /O tempo corre/],
-  [(page) => page.click("#command-stop"), /STOP: the board is not scanning/, /STOP: a placa não faz varreduras/],
+  [(page) => pick(page, "#pause"), /Time is running/, /O tempo está correndo/],
+  [(page) => page.click("#command-stop"), /STOP: the board is not scanning/, /STOP: sem varreduras/],
   [(page) => page.click("#plug"), /No power/, /Sem energia/],
-  [(page) => page.click("#plug"), /RUN: the board is scanning/, /RUN: a placa faz/],
+  [(page) => page.click("#plug"), /RUN: the board is scanning/, /RUN: varreduras na placa/],
 ];
 
 for (const [index, locale] of ["en-US", "pt-BR"].entries()) {

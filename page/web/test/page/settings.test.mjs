@@ -27,7 +27,7 @@ async function keep(page, said) {
 
 for (const { locale, refused, next, speaks, restarts } of [
   { locale: "en-US", refused: /address 300 is not valid; a board has an address from 1 to 247/, next: /stored these settings and uses them after its next start/, speaks: /still uses address 1, 115200 baud, no parity/, restarts: "#reset" },
-  { locale: "pt-BR", refused: /o endereço 300 não é válido; uma placa tem um endereço de 1 a 247/, next: /guardou esses ajustes e passa a usá-los na próxima inicialização/, speaks: /ainda usa o endereço 1, 115200 baud, sem paridade/, restarts: "#settings-restart" },
+  { locale: "pt-BR", refused: /o endereço 300 não é válido; uma placa tem um endereço de 1 a 247/, next: /guardou esses ajustes e passa a usá-los na próxima partida/, speaks: /ainda usa o endereço 1, 115200 baud, sem paridade/, restarts: "#settings-restart" },
 ]) {
   test(`settings are read, refused by name, kept, and used from the next start on, ${locale}`, async () => {
     const page = await lab.open({ locale });

@@ -40,7 +40,7 @@ async function fits(page) {
 test("all boards are seen with what they do, their faults and alarms", async () => {
   const of = gateway();
   const page = await open(of);
-  await page.locator("#boards-up", { hasText: "2 of 3 boards answer" }).waitFor();
+  await page.locator("#boards-up", { hasText: "Boards that answer: 2 of 3" }).waitFor();
   const card = (/** @type {string} */ name) => page.locator(`[data-board="${name}"]`);
   assert.equal(await card("estufa").locator(".status").textContent(), "RUN");
   assert.equal(await card("forno").locator(".status").textContent(), "FAULT 51");
@@ -55,12 +55,12 @@ test("all boards are seen with what they do, their faults and alarms", async () 
   await page.fill("#find-board", "FOR");
   await card("estufa").waitFor({ state: "detached" });
   await page.fill("#find-board", "x");
-  await page.getByText("No board has this name.").waitFor();
+  await page.getByText("No board name contains this text.").waitFor();
   await page.fill("#find-board", "");
   await clean(page, "boards");
   await page.screenshot({ path: join(pictures, "site-boards.png") });
   await page.selectOption("#speak", "pt");
-  await page.locator("#boards-up", { hasText: "3 de 3 placas respondem" }).waitFor();
+  await page.locator("#boards-up", { hasText: "Placas que respondem: 3 de 3" }).waitFor();
   await card("estufa").getByText("alta: a estufa está quente demais").waitFor();
   await page.context().close();
 });

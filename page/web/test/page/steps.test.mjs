@@ -13,8 +13,8 @@ before(async () => {
 after(() => lab.end());
 
 const WORDS = {
-  "en-US": { put: "Put it into the editor", next: "Next step", draw: "Start on an empty sheet", rung: "Draw it first" },
-  "pt-BR": { put: "Colocar no editor", next: "Próximo passo", draw: "Começar em uma folha vazia", rung: "Desenhe primeiro" },
+  "en-US": { put: "Copy to the editor", next: "Next step", draw: "Start on an empty sheet", rung: "Start with a drawing" },
+  "pt-BR": { put: "Colocar no editor", next: "Próximo passo", draw: "Começar em uma folha em branco", rung: "Comece pelo desenho" },
 };
 
 for (const locale of /** @type {const} */ (["en-US", "pt-BR"])) {

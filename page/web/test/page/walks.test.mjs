@@ -24,8 +24,8 @@ const SHEET = 350;
 
 /** What each language calls what is asked for by its words. */
 const WORDS = /** @type {const} */ ({
-  "en-US": { by: "handed in by Ana", clipboard: "clipboard" },
-  "pt-BR": { by: "entregue por Ana", clipboard: "foi copiado" },
+  "en-US": { by: "Ana handed in this program", clipboard: "clipboard" },
+  "pt-BR": { by: "Ana entregou este programa", clipboard: "foi copiado" },
 });
 
 /** @type {Lab} */

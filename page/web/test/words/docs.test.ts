@@ -16,7 +16,7 @@ import { TABLE } from "../../src/words/table";
 const docs = existsSync("src/page") ? "../../docs" : "docs";
 const rows = Object.values({ ...TABLE, ...LATER, ...CHART, ...PROJECT, ...DRAW, ...LEARN, ...SLOW });
 /** What stands emphasised without being a control. */
-const PROSE = ["The port does not open", "A porta não abre"];
+const PROSE = ["The port cannot be opened", "Não foi possível abrir a porta"];
 
 for (const [language, end] of [[0, ".md"], [1, ".pt-BR.md"]] as const) {
   // Of a text with numbers in it a page names the words before them.

@@ -23,7 +23,7 @@ const below = (folder: string): string[] => readdirSync(folder, { recursive: tru
 // npm runs the tests in the folder of the lab, xtask above it.
 const lab = existsSync("src/page") ? "." : "page/web";
 /** Words that are the same in both languages. */
-const SAME: readonly string[] = ["viewDraw", "ok", "alarmNormal"];
+const SAME: readonly string[] = ["panelTaken", "viewDraw", "ok", "alarmNormal"];
 
 const values = (text: string): string[] => [...text.matchAll(/\{(\w+)\}/g)].map((match) => match[1] ?? "").sort();
 

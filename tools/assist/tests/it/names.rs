@@ -137,7 +137,7 @@ fn nothing_is_offered_in_a_comment_or_a_number() {
 fn a_word_is_told_what_it_stands_for() {
     assert!(
         told("st", &at("start AT"))
-            .starts_with("start AT %IX1 : BOOL\nis at I1\nused 1 times, never written")
+            .starts_with("start AT %IX1 : BOOL\nis at I1\nuses: 1, never written")
     );
     assert!(told("st", &at("mode : Mode")).contains("mode : Mode"));
     assert!(told("st", &at("runs AND mode")).contains("runs : BOOL\nVAR_OUTPUT"));

@@ -1,12 +1,12 @@
 //! Names of projects in PLCopen XML: found and renamed in all units, whatever each is written or drawn in.
 
-use crate::texts::{alike, projects};
+use crate::texts::{alike, chart, projects};
 use std::path::Path;
 use std::rc::Rc;
 use unoclp_assist::{NoRename, declaration, declared, edited, rename, symbols, uses};
 use unoclp_core::Board;
 use unoclp_program::Written;
-use unoclp_testing::Random;
+use unoclp_testing::{Random, held, rounds};
 use unoclp_workspace::{Analysis, Workspace};
 
 fn project(text: &str) -> Written {
@@ -154,13 +154,12 @@ fn a_project_with_mistakes_is_helped_too() {
 /// are there: the codes stay, or it is refused.
 #[test]
 fn projects_keep_their_codes_under_other_names() {
-    let mut random = Random(36);
     let [mut new, mut taken] = [0, 0];
-    for (from, text) in projects() {
-        let before = project(&text);
+    let mut keeps = |(from, text): &(String, String), random: &mut Random| {
+        let before = project(text);
         let analysis = opened(&before);
         if analysis.source().is_none() {
-            continue;
+            return;
         }
         let all = symbols(&before);
         for (at, symbol) in all.iter().enumerate() {
@@ -173,7 +172,7 @@ fn projects_keep_their_codes_under_other_names() {
                 symbol.name
             );
             assert!(
-                alike(&before, &project(&edited(&text, &edits))),
+                alike(&before, &project(&edited(text, &edits))),
                 "{from} {}",
                 symbol.name
             );
@@ -181,14 +180,19 @@ fn projects_keep_their_codes_under_other_names() {
             let other = &all[random.below(all.len())].name;
             if let Ok(edits) = rename(&analysis, symbol.at.start, other) {
                 assert!(
-                    alike(&before, &project(&edited(&text, &edits))),
+                    alike(&before, &project(&edited(text, &edits))),
                     "{from} {} {other}",
                     symbol.name
                 );
                 taken += 1;
             }
         }
-    }
+    };
+    let mut random = Random(36);
+    projects()
+        .iter()
+        .for_each(|project| keeps(project, &mut random));
+    (0..rounds(6).into()).for_each(|seed| held(|| keeps(&chart(seed), &mut Random(seed))));
     assert!(new > 300 && taken > 0, "{new} {taken}");
 }
 

@@ -1,6 +1,6 @@
 //! A variable and a unit of one name, in texts and in projects: the one that is meant is found and renamed.
 
-use crate::texts::{alike, all, projects, written};
+use crate::texts::{alike, all, chart, projects, written};
 use std::path::Path;
 use unoclp_assist::{Edit, NoRename, Symbol, edited, rename, symbols, uses};
 use unoclp_core::Board;
@@ -71,31 +71,23 @@ fn held(before: &Written, unit: &Symbol, variable: &Symbol) -> bool {
 /// Of each program and project variables that chance takes, each under the name of a unit that it takes.
 #[test]
 fn one_name_for_two_means_the_one_under_the_cursor() {
-    let mut random = Random(36);
-    let board = Board::UNO;
-    let texts = all().into_iter().step_by(4).map(|path| written(&path));
-    let drawn = projects().into_iter();
-    let drawn = drawn.map(|(_, text)| Written::new("plc.xml".into(), text.into(), board));
     let mut kinds = [0; 4];
     let mut tried = 0;
-    for (is_drawn, before) in texts
-        .map(|text| (false, text))
-        .chain(drawn.map(|text| (true, text)))
-    {
-        let named = symbols(&before);
+    let mut share = |before: &Written, pairs: u32, random: &mut Random| {
+        let named = symbols(before);
         let (units, rest): (Vec<&Symbol>, Vec<&Symbol>) =
             named.iter().partition(|one| is_unit(one));
         let variables = rest.into_iter().filter(|one| one.what == What::Variable);
         let variables: Vec<&Symbol> = variables.collect();
         let is_whole = before.clone().check(None).is_ok();
         if units.is_empty() || variables.is_empty() || !is_whole {
-            continue;
+            return;
         }
-        for _ in 0..if is_drawn { rounds(12) } else { 1 } {
+        for _ in 0..pairs {
             let unit = units[random.below(units.len())];
             let variable = variables[random.below(variables.len())];
             tried += 1;
-            if held(&before, unit, variable) {
+            if held(before, unit, variable) {
                 let kind = match unit.what {
                     What::Program => 0,
                     What::Block => 1,
@@ -105,6 +97,18 @@ fn one_name_for_two_means_the_one_under_the_cursor() {
                 kinds[kind] += 1;
             }
         }
+    };
+    let mut random = Random(36);
+    for path in all().into_iter().step_by(4) {
+        share(&written(&path), 1, &mut random);
+    }
+    let drawn =
+        |(_, text): (String, String)| Written::new("plc.xml".into(), text.into(), Board::UNO);
+    for project in projects() {
+        share(&drawn(project), rounds(12), &mut random);
+    }
+    for seed in 0..rounds(6).into() {
+        unoclp_testing::held(|| share(&drawn(chart(seed)), rounds(12), &mut Random(seed)));
     }
     assert!(kinds.iter().all(|kind| *kind > 0), "{kinds:?} of {tried}");
 }

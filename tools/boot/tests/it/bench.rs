@@ -31,7 +31,7 @@ pub fn encode(bytes: &[u8]) -> Vec<u8> {
     (file + ":00000001FF\r\n").into_bytes()
 }
 
-/// A record with its check sum.
+/// A record with its checksum.
 pub fn record(bytes: &[u8]) -> String {
     let sum = bytes.iter().fold(0_u8, |sum, byte| sum.wrapping_sub(*byte));
     let digits = bytes.iter().chain([&sum]);

@@ -53,8 +53,8 @@ fn each_failure_says_its_number_what_is_wrong_and_what_the_board_holds() {
     );
     assert_eq!(
         english[11].1,
-        "FW-26: at address 0x0080 the flash holds 00, not 01 as written; try again, and with another \
-         cable if it happens twice. The board has no firmware now, and its outputs are off; its boot loader still \
+        "FW-26: at address 0x0080 the flash holds 00, but 01 was written; try again. If it happens twice, use another \
+         cable. The board has no firmware now, and its outputs are off; its boot loader still \
          works, so try again"
     );
     let untouched = Failure {

@@ -18,12 +18,12 @@ use unoclp_client::session::Event;
 /// What is written, and where.
 #[derive(Args)]
 pub struct Firmware {
-    /// A firmware file in Intel HEX; without it, the tested firmware that comes with this command
+    /// A firmware file in Intel HEX; by default, the tested firmware that comes with this command
     file: Option<PathBuf>,
     /// The serial port: /dev/ttyACM0, /dev/ttyUSB0, COM3 …
     #[arg(long)]
     port: String,
-    /// The board; nano-old is a Nano with the boot loader that it had until 2018, mega a Mega 2560
+    /// The board; nano-old is a Nano with the boot loader used until 2018, and mega is a Mega 2560
     #[arg(long, value_name = "BOARD", default_value = "uno", value_parser = models())]
     board: Model,
 }

@@ -12,12 +12,12 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     (
         "check",
-        "Confere um programa: o seu tamanho, ou cada falha com a sua linha",
+        "Confere um programa e mostra o tamanho dele, ou cada falha com a sua linha",
     ),
     ("compile", "Compila um texto para código numérico"),
     (
         "adapt",
-        "Passa os pontos que faltam a uma placa para pontos livres, em uma cópia do texto",
+        "Copia um texto, com pontos livres no lugar dos que a placa não tem",
     ),
     (
         "units",
@@ -25,7 +25,7 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     (
         "list",
-        "Mostra um programa como diagrama ladder, Lista de Instruções, Texto Estruturado, PLCopen XML ou código numérico comentado",
+        "Mostra um programa como diagrama ladder, diagrama de blocos ou SFC, como Lista de Instruções, Texto Estruturado ou PLCopen XML, ou como código numérico comentado",
     ),
     (
         "sim",
@@ -39,18 +39,18 @@ const COMMANDS: &[(&str, &str)] = &[
         "plant check",
         "Mostra os elementos e as metas de uma máquina, ou cada erro com a sua linha",
     ),
-    ("plant draw", "Desenha uma máquina como ela está no começo"),
+    ("plant draw", "Desenha uma máquina no estado inicial"),
     (
         "lsp",
-        "Ajuda um editor que fala o Language Server Protocol, por entrada e saída padrão",
+        "Atende um editor pelo Language Server Protocol, na entrada e na saída padrão",
     ),
     (
         "grade",
-        "Roda os programas de uma turma pelos casos de um exercício",
+        "Testa os programas de uma turma com os casos de um exercício",
     ),
     (
         "mutants",
-        "Gera programas errados a partir da solução de um exercício e diz quais passam",
+        "Gera programas errados a partir da solução de um exercício e mostra quais passam",
     ),
     ("run", "Executa um programa neste PC e mostra as variáveis"),
     (
@@ -67,7 +67,7 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     (
         "monitor",
-        "Acompanha uma placa, força entradas e saídas, e a põe em RUN ou STOP",
+        "Acompanha uma placa, força as suas entradas e saídas e a põe em RUN ou STOP",
     ),
     (
         "serve",
@@ -75,15 +75,15 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     (
         "site",
-        "Confere um arquivo de instalação: que placas um gateway serve, e a quem",
+        "Confere um arquivo de instalação, que diz quais placas um gateway compartilha e com quem",
     ),
     (
         "site check",
-        "Diz o que um gateway faria com ele, ou cada erro com a sua linha",
+        "Mostra o que um gateway faria com o arquivo, ou cada erro com a sua linha",
     ),
     (
         "site move",
-        "Copia o histórico de um arquivo para o banco de dados que o arquivo de instalação indica; nada pode servir a instalação enquanto isso",
+        "Copia um arquivo de histórico para o banco de dados que o arquivo de instalação indica; encerre antes o unoclp serve",
     ),
     (
         "site key",
@@ -109,12 +109,12 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "adapt",
         "file",
-        "O texto: Lista de Instruções (.il) ou Texto Estruturado (.st, .scl); - o lê da entrada padrão",
+        "O texto: Lista de Instruções (.il), Texto Estruturado (.st, .scl) ou PLCopen XML (.xml); - o lê da entrada padrão",
     ),
     (
         "adapt",
         "output",
-        "Onde gravar a cópia, em um arquivo novo; sem isto, e com -, na saída padrão",
+        "O novo arquivo da cópia; sem esta opção, ou com -, a saída padrão",
     ),
     (
         "units",
@@ -139,12 +139,12 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "grade",
         "files",
-        "Os programas, em qualquer das linguagens, e o que foi entregue; de uma pasta, todos os que há nela",
+        "Os programas, em qualquer das linguagens, e as entregas, ou pastas que os contenham",
     ),
     (
         "grade",
         "moodle",
-        "Mostra notas de 0 a 100 para a importação do Moodle: uma linha por aluno",
+        "Mostra notas de 0 a 100 para importar no Moodle: uma linha por aluno",
     ),
     (
         "grade",
@@ -170,28 +170,28 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "run",
         "set",
-        "Define uma variável antes da primeira varredura, como uma entrada",
+        "Define uma variável, como uma entrada, antes da primeira varredura",
     ),
-    ("run", "json", "Mostra tudo como um objeto em JSON"),
+    ("run", "json", "Mostra tudo como um só objeto JSON"),
     (
         "sim",
         "file",
-        "O programa, em qualquer das linguagens; com um cenário, no lugar do que ele indica",
+        "O programa, em qualquer das linguagens; substitui o programa indicado em um cenário",
     ),
     (
         "flash",
         "file",
-        "Um arquivo de firmware em Intel HEX; sem isto, o firmware testado que vem com este comando",
+        "Um arquivo de firmware em Intel HEX; sem ele, o firmware testado que vem com este comando",
     ),
     (
         "flash",
         "board",
-        "A placa: uno, nano ou nano-old, um Nano com o bootloader que ele tinha até 2018 [padrão: uno]",
+        "A placa: uno, nano, nano-old (um Nano com o bootloader usado até 2018) ou mega (um Mega 2560) [padrão: uno]",
     ),
     (
         "monitor",
         "file",
-        "O programa que ela executa, em qualquer das linguagens, para mostrar variáveis e degraus",
+        "O programa que a placa executa, em qualquer das linguagens, para mostrar variáveis e degraus",
     ),
     (
         "",
@@ -206,36 +206,41 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "",
         "output",
-        "Onde gravar o código numérico; sem isto, ou com -, na saída padrão",
+        "Onde gravar o código numérico; sem esta opção, ou com -, na saída padrão",
+    ),
+    (
+        "lsp",
+        "board",
+        "A placa de destino dos programas do editor [padrão: uno]",
     ),
     (
         "",
         "board",
-        "A placa para a qual ele é: uno, nano ou nano-old; um Nano não tem números REAL [padrão: uno]",
+        "A placa de destino; sem esta opção, a placa na porta, ou um UNO. Um Nano não tem números REAL, um Mega tem mais entradas, saídas e memória, e um PC tem 99 pontos de cada tipo",
     ),
     (
         "",
         "dialect",
-        "De que fabricante é a Lista de Instruções; sem isto, o que as palavras indicam",
+        "O fabricante do dialeto da Lista de Instruções; sem esta opção, é detectado pelas palavras-chave",
     ),
     (
         "",
         "language",
-        "A linguagem do programa; sem isto, o que o nome e as palavras indicam",
+        "A linguagem do programa; sem esta opção, é detectada pelo nome do arquivo e pelo texto",
     ),
     (
         "",
         "lang",
-        "O idioma das mensagens; sem isto, o do ambiente",
+        "O idioma das mensagens; sem esta opção, o do sistema",
     ),
     (
         "",
         "form",
-        "Como listar: ladder, il, st, numeric ou xml (PLCopen, para o OpenPLC Editor e outros) [padrão: ladder]",
+        "A forma da listagem; xml é um projeto em PLCopen XML, para o OpenPLC Editor e outros [padrão: ladder]",
     ),
     ("plant check", "plant", "A máquina (.toml)"),
     ("plant draw", "plant", "A máquina (.toml)"),
-    ("plant draw", "svg", "Neste arquivo"),
+    ("plant draw", "svg", "O arquivo SVG que será gravado"),
     (
         "sim",
         "plant",
@@ -244,12 +249,12 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "sim",
         "seed",
-        "A semente dos eventos aleatórios, no lugar da que a máquina tem",
+        "A semente dos eventos aleatórios, em vez da semente da máquina",
     ),
     (
         "sim",
         "at",
-        "Com --svg, os momentos a desenhar, no lugar daqueles em que regras foram violadas: 1s,2.5s,1min",
+        "Com --svg, os instantes a desenhar, em vez daqueles em que regras foram violadas: 1s,2.5s,1min",
     ),
     (
         "sim",
@@ -269,22 +274,22 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "sim",
         "svg",
-        "Desenha neste arquivo o que foi apertado, o esperado e o que ocorreu, como diagrama de tempo; de uma máquina, imagens dela",
+        "Desenha neste arquivo um diagrama de tempo: entradas, saídas esperadas e saídas reais; com uma máquina, imagens dela",
     ),
     (
         "",
         "svg",
-        "Desenha o diagrama ladder neste arquivo, como gráfico vetorial",
+        "Desenha o diagrama neste arquivo, como gráfico vetorial",
     ),
     (
         "",
         "paper",
-        "Em páginas deste papel (a4 ou letter), para um relatório: DESENHO.svg, ou DESENHO-1.svg e assim por diante se forem várias",
+        "Desenha um diagrama ladder em páginas deste papel (a4 ou letter), para um relatório: DESENHO.svg, ou DESENHO-1.svg e assim por diante se forem várias",
     ),
     (
         "",
         "title",
-        "O título dessas páginas; sem isto, o primeiro comentário do programa",
+        "O título dessas páginas; sem esta opção, o primeiro comentário do programa",
     ),
     (
         "",
@@ -299,7 +304,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "",
         "vcd",
-        "Grava o registro de entradas, saídas e temporizadores para um visualizador de ondas",
+        "Grava o registro de entradas, saídas e temporizadores para um visualizador de formas de onda",
     ),
     (
         "",
@@ -309,18 +314,18 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "",
         "state",
-        "Com STATE.TXT, em que a placa então guarda entradas e saídas",
+        "Cria também o STATE.TXT, em que a placa grava entradas e saídas",
     ),
     ("", "stop", "Deixa a placa em STOP"),
     (
         "",
         "keep_forces",
-        "Mantém os pontos forçados; sem isto, são liberados depois da gravação",
+        "Mantém os pontos forçados; sem esta opção, são liberados depois da gravação",
     ),
     (
         "serve",
         "http",
-        "Onde servir a página; a porta 0 usa uma livre [padrão: 127.0.0.1:8420]",
+        "Onde servir a página; a porta 0 escolhe uma livre [padrão: 127.0.0.1:8420]",
     ),
     (
         "serve",
@@ -335,7 +340,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "serve",
         "site",
-        "Compartilha as placas deste arquivo de instalação, como ele diz",
+        "Compartilha as placas deste arquivo de instalação",
     ),
     ("site check", "site", "O arquivo de instalação (.toml)"),
     (
@@ -356,19 +361,19 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "site key",
         "role",
-        "O que o usuário pode: watch (observar), operate (operar) ou engineer (mudar programas também) [padrão: operate]",
+        "O que o usuário pode fazer: watch (observar), operate (operar) ou engineer (mudar programas também) [padrão: operate]",
     ),
     ("site history", "site", "O arquivo de instalação (.toml)"),
     ("site history", "point", "Placa e ponto: estufa.level"),
     (
         "site history",
         "last",
-        "Desde quanto tempo atrás: 90s, 15m, 1h, 30d [padrão: 1h]",
+        "O período mostrado, até agora: 90s, 15m, 1h, 30d [padrão: 1h]",
     ),
     (
         "site history",
         "step",
-        "Uma linha para cada intervalo, com o mínimo, o máximo e o último valor; sem isto, cada mudança",
+        "Uma linha para cada intervalo, com o mínimo, o máximo e o último valor; sem esta opção, cada mudança",
     ),
     (
         "",
@@ -396,17 +401,17 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "",
         "set_direction",
-        "Se A4 é o pino de direção de um driver RS-485: on ou off",
+        "Se A4 (D20 em um Mega) é o pino de direção de um driver RS-485: on ou off",
     ),
     (
         "",
         "end_forcing",
-        "Faz a placa liberar tudo o que está forçado depois de tantos segundos sem requisições",
+        "Faz a placa liberar todos os pontos forçados após este número de segundos sem requisições",
     ),
     (
         "",
         "lock",
-        "Bloqueia também estes itens, separados por vírgula, que a placa recusa de todos: upload (envio), settings (ajustes), commands (comandos), writing (escrita) ou all (tudo)",
+        "Bloqueia também estas funções, separadas por vírgula; a placa passa a recusá-las a qualquer cliente: upload (envio), settings (ajustes), commands (comandos), writing (escrita) ou all (tudo)",
     ),
     ("", "help", "Mostra a ajuda"),
     ("", "version", "Mostra a versão"),
@@ -439,6 +444,15 @@ const VALUES: &[(&str, &str)] = &[
     ("SITE.toml", "INSTALAÇÃO.toml"),
     ("BOARD.POINT", "PLACA.PONTO"),
     ("TIME", "TEMPO"),
+    ("TIMES", "TEMPOS"),
+    ("FROM-TO", "INÍCIO-FIM"),
+    ("COPY", "CÓPIA"),
+    ("FOLDER", "PASTA"),
+    ("NAME", "NOME"),
+    ("ROLE", "PAPEL"),
+    ("OUT.gif", "ANIMAÇÃO.gif"),
+    ("PLANT.toml", "MÁQUINA.toml"),
+    ("HISTORY.db", "HISTÓRICO.db"),
 ];
 
 /// The layout of a help page.
@@ -506,7 +520,7 @@ fn below(above: &str, command: Command) -> Command {
         let told = valid.iter().all(|value| words.contains(value));
         let words = match told || !argument.get_action().takes_values() {
             true => words.to_owned(),
-            false => format!("{words} [valem: {}]", valid.join(", ")),
+            false => format!("{words} [valores: {}]", valid.join(", ")),
         };
         let argument = argument.help(words).help_heading(heading);
         let value = argument.get_value_names().and_then(|names| names.first());

@@ -18,20 +18,20 @@ use unoclp_program::shown;
 /// What may be done with a plant alone.
 #[derive(Subcommand)]
 pub enum OfPlant {
-    /// Show the parts and the goals of a plant, or every mistake with its line
+    /// Show the parts and goals of a machine, or every error with its line
     Check {
-        /// The plant (.toml)
+        /// The machine (.toml)
         #[arg(value_name = "PLANT.toml")]
         plant: PathBuf,
         #[command(flatten)]
         wording: Wording,
     },
-    /// Draw a plant as it is at first
+    /// Draw a machine in its initial state
     Draw {
-        /// The plant (.toml)
+        /// The machine (.toml)
         #[arg(value_name = "PLANT.toml")]
         plant: PathBuf,
-        /// Into this file
+        /// The SVG file to write
         #[arg(value_name = "OUT.svg")]
         svg: PathBuf,
         #[command(flatten)]
@@ -47,10 +47,10 @@ pub struct Machine {
     /// Let the program control this machine, and check its goals and rules
     #[arg(long, value_name = "PLANT.toml", conflicts_with = "scenario")]
     plant: Option<PathBuf>,
-    /// The seed of random events, instead of the plant's own
+    /// The seed of random events, instead of the machine's own
     #[arg(long, value_name = "N", requires = "plant")]
     seed: Option<u32>,
-    /// With --svg, the moments to draw, instead of those of broken rules: 1s,2.5s,1min
+    /// With --svg, the times to draw, instead of those at which rules were broken: 1s,2.5s,1min
     #[arg(long, value_name = "TIMES", requires = "plant")]
     at: Option<String>,
     /// Write the run of the machine as an animated GIF

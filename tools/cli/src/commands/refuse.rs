@@ -14,7 +14,7 @@ pub fn refuse(error: &Error) -> ! {
         ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => eprint!("{page}"),
         _ => {
             let (what, usage) = (wrong(error), usage(error));
-            eprint!("erro: {what}\n\n{usage}Mais com '--help'.\n");
+            eprint!("erro: {what}\n\n{usage}Para mais informações, use '--help'.\n");
         }
     }
     std::process::exit(error.exit_code())
@@ -58,7 +58,7 @@ fn wrong(error: &Error) -> String {
             let given = value(ContextKind::InvalidValue);
             let valid = match value(ContextKind::ValidValue) {
                 valid if valid.is_empty() => range(error),
-                valid => format!("; valem: {valid}"),
+                valid => format!("; valores: {valid}"),
             };
             match given.is_empty() {
                 true => format!("falta o valor de '{argument}'{valid}"),
@@ -78,7 +78,7 @@ fn wrong(error: &Error) -> String {
 fn near(name: &str) -> String {
     match name.is_empty() {
         true => String::new(),
-        false => format!("; seria '{name}'?"),
+        false => format!("; você quis dizer '{name}'?"),
     }
 }
 
@@ -86,7 +86,7 @@ fn near(name: &str) -> String {
 fn range(error: &Error) -> String {
     let told = error.source().map(ToString::to_string).unwrap_or_default();
     match told.split_once(" is not in ") {
-        Some((_, range)) => format!("; vale {}", range.replace("..=", " a ")),
+        Some((_, range)) => format!("; use um valor de {}", range.replace("..=", " a ")),
         None => String::new(),
     }
 }

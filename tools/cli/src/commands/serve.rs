@@ -9,7 +9,7 @@ use std::path::PathBuf;
 /// Where the page is served, and which boards are shared.
 #[derive(Args)]
 pub struct Doors {
-    /// Where to serve the page; port 0 takes a free one
+    /// Where to serve the page; port 0 selects a free one
     #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:8420")]
     http: SocketAddr,
     /// Share the board at this serial port: /dev/ttyACM0, /dev/ttyUSB0, COM3 …

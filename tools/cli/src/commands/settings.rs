@@ -28,10 +28,10 @@ pub struct Changes {
     /// The parity from the next start on
     #[arg(long, value_enum, value_name = "PARITY")]
     set_parity: Option<Parity>,
-    /// Whether A4 is the direction pin of an RS-485 driver
+    /// Whether A4 (D20 on a Mega) is the direction pin of an RS-485 driver
     #[arg(long, value_enum, value_name = "on|off")]
     set_direction: Option<Switch>,
-    /// Lock these too, separated by commas: the board refuses them from everyone
+    /// Also lock these functions, separated by commas; the board then refuses them to every client
     #[arg(long, value_enum, value_name = "WHAT", value_delimiter = ',')]
     lock: Vec<Lock>,
 }

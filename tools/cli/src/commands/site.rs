@@ -14,18 +14,18 @@ use unoclp_site::{Site, Store, duration, plan};
 /// What may be done with a site file.
 #[derive(Subcommand)]
 pub enum OfSite {
-    /// Say what a gateway would do with it, or every mistake with its line
+    /// Show what a gateway would do with the file, or every error with its line
     Check {
         /// The site file (.toml)
         #[arg(value_name = "SITE.toml")]
         site: PathBuf,
     },
-    /// Copy the history of a file into the database that the site file names; nothing may serve the site meanwhile
+    /// Copy a history file into the database that the site file names; stop unoclp serve first
     Move {
         /// The site file (.toml), with the database under [history]
         #[arg(value_name = "SITE.toml")]
         site: PathBuf,
-        /// The file of the history until now
+        /// The file that has held the history so far
         #[arg(value_name = "HISTORY.db")]
         from: PathBuf,
     },
@@ -34,7 +34,7 @@ pub enum OfSite {
         /// The user: a letter, then letters, digits, - or _
         #[arg(value_name = "NAME")]
         name: String,
-        /// What the user may do: watch, operate or engineer
+        /// What the user may do: watch, operate, or engineer (also change programs)
         #[arg(long, default_value = "operate", value_parser = ["watch", "operate", "engineer"])]
         role: String,
     },
@@ -54,10 +54,10 @@ pub struct Asked {
     /// Board and point: estufa.level
     #[arg(value_name = "BOARD.POINT")]
     point: String,
-    /// How far back: 90s, 15m, 1h, 30d
+    /// The period shown, up to now: 90s, 15m, 1h, 30d
     #[arg(long, value_name = "TIME", default_value = "1h")]
     last: String,
-    /// One row for each interval, with the minimum, the maximum and the last value; without it, each change
+    /// One row for each interval, with the minimum, the maximum and the last value; by default, every change
     #[arg(long, value_name = "TIME")]
     step: Option<String>,
 }

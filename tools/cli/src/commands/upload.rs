@@ -30,7 +30,7 @@ pub struct Leave {
     /// Leave the board in STOP
     #[arg(long)]
     stop: bool,
-    /// Keep forced points forced; without it, they are released once the program is stored
+    /// Keep forced points forced; by default, they are released once the program is stored
     #[arg(long)]
     keep_forces: bool,
 }

@@ -12,14 +12,14 @@ use unoclp_workspace::{All, Workspace};
 /// How to read a program.
 #[derive(Args, Clone)]
 pub struct Wording {
-    /// The manufacturer whose Instruction List it is; without it, the one that its words indicate
+    /// The manufacturer of the Instruction List dialect; by default, detected from the keywords
     #[arg(long, value_parser = dialects())]
     pub(super) dialect: Option<Dialect>,
-    /// The language of the program; without it, the one that its name and words indicate
+    /// The language of the program; by default, detected from the file name and the text
     #[arg(long, value_parser = languages())]
     pub(super) language: Option<WrittenIn>,
-    /// The target board; without it, the board at the port, or a UNO. A Nano has no REAL numbers, a Mega has more of
-    /// everything, a PC has 99 of each point
+    /// The target board; by default, the board at the port, or a UNO. A Nano has no REAL numbers, a Mega has more inputs,
+    /// outputs and memory, and a PC has 99 points of each kind
     #[arg(long, value_name = "BOARD", value_parser = boards())]
     board: Option<Board>,
 }

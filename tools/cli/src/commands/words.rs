@@ -13,12 +13,12 @@ pub fn models() -> impl TypedValueParser<Value = Model> {
 /// The parity bit of each byte on the line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Parity {
-    /// There is none
+    /// No parity bit
     #[default]
     None,
-    /// The ones are even in number
+    /// An even number of ones
     Even,
-    /// The ones are odd in number
+    /// An odd number of ones
     Odd,
 }
 
@@ -37,11 +37,11 @@ impl From<Parity> for unoclp_client::Parity {
 pub enum Lock {
     /// Uploads
     Upload,
-    /// Changes of the settings
+    /// Changes to the settings
     Settings,
-    /// All commands but that of an upload
+    /// All commands except the one for an upload
     Commands,
-    /// Writing of coils, registers and presets, and forcing
+    /// Writing coils, registers and presets, and forcing
     Writing,
     /// All of these
     All,
@@ -81,7 +81,7 @@ pub enum Form {
     Fbd,
     /// A project in PLCopen XML, for OpenPLC Editor and others
     Xml,
-    /// The same with its program in FBD
+    /// The same project, with its program in FBD
     XmlFbd,
 }
 

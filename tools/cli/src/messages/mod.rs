@@ -30,7 +30,7 @@ pub fn languages() -> String {
     programs_are(WrittenIn::programs(spoken()))
 }
 
-/// A fault without its place: `fault 75: too many jumps back in one scan (NC-19)`.
+/// A fault without its place: `fault 75: too many backward jumps in one scan (NC-19)`.
 pub fn fault(cause: Cause) -> String {
     fault_of(cause.number(), diagnosis::cause(cause, spoken()))
 }

@@ -32,8 +32,8 @@ pub struct App {
     pub(super) lingering: u32,
     /// Outputs that were let go here since the last reading.
     let_go: u32,
-    /// What was asked of the forces since the last reading: the next one may have begun before that.
-    is_asked: bool,
+    /// Orders that nothing has come of yet: a reading may have begun before them.
+    asked: u32,
     /// The seconds without a request after which the board is to end what is forced here.
     end_forcing: Option<u8>,
     /// It has been said that it cannot.
@@ -68,7 +68,7 @@ impl App {
             said: None,
             lingering: 0,
             let_go: 0,
-            is_asked: false,
+            asked: 0,
             end_forcing,
             is_endless_said: false,
             side: Side::Inputs,
@@ -97,6 +97,7 @@ impl App {
                 identity,
                 may_be_reset,
             } => {
+                self.asked = 0;
                 self.identity = identity.to_string();
                 self.board = identity.board().unwrap_or(self.board);
                 if may_be_reset {
@@ -105,12 +106,11 @@ impl App {
             }
             News::Read(mut reading) => {
                 self.lost = None;
-                if let Some(before) = self.reading.as_ref().filter(|_| self.is_asked) {
+                if let Some(before) = self.reading.as_ref().filter(|_| self.asked > 0) {
                     reading.forced_inputs = before.forced_inputs;
                     reading.forced_outputs = before.forced_outputs;
                     reading.forcing_ends = before.forcing_ends;
                 }
-                self.is_asked = false;
                 if let Some(program) = &mut self.program {
                     self.flow = match reading.diagnostics.state {
                         Some(State::Fault) => Flow::default(),
@@ -120,11 +120,15 @@ impl App {
                 self.note_forces(&reading);
                 self.reading = Some(*reading);
             }
+            News::Done => self.asked = self.asked.saturating_sub(1),
             News::Refused(why) => {
-                self.is_asked = false;
+                self.asked = self.asked.saturating_sub(1);
                 self.said = Some(why);
             }
-            News::Lost(why) => self.lost = Some(why),
+            News::Lost(why) => {
+                self.asked = 0;
+                self.lost = Some(why);
+            }
         }
     }
 
@@ -184,7 +188,9 @@ impl App {
             }
             code => {
                 self.said = None;
-                return self.order(code);
+                let order = self.order(code);
+                self.asked += u32::from(order.is_some());
+                return order;
             }
         }
         None
@@ -217,7 +223,6 @@ impl App {
             return;
         };
         let before = reading.forced_outputs.points;
-        self.is_asked |= matches!(order, Order::Force(..) | Order::Release);
         match order {
             Order::Force(Side::Inputs, index, to) => reading.forced_inputs.set(*index, *to),
             Order::Force(Side::Outputs, index, to) => reading.forced_outputs.set(*index, *to),

@@ -116,7 +116,7 @@ fn screen(app: &mut App, width: u16, height: u16) -> String {
 #[test]
 fn the_screen_shows_the_board() {
     let expected = " motor.txt  unoclp UNO 0.2.0 at /dev/ttyACM0, address 1               RUN  12 s
-─ Inputs: 1 to 8 force ────────────────── Outputs ──────────────────────────────
+─ Inputs: force 1 to 8 ────────────────── Outputs ──────────────────────────────
  I1●  I2○  I3○  I4○  I5○  I6○  I7○  I8○  Q1○  Q2●  Q3○  Q4○
 ─ Board ────────────────────────────────────────────────────────────────────────
  scan 214 µs (180 to over 32766)  supply 5.01 V  stack 120 bytes free
@@ -160,7 +160,9 @@ fn another_program_is_warned_of_and_its_rungs_are_not_shown() {
     };
     let screen = screen(&mut showing(other), 100, 24);
     assert!(
-        screen.contains("the board runs a program other than motor.txt: 9 bytes 00AB, not "),
+        screen.contains(
+            "the board runs a program other than motor.txt: 9 bytes, checksum 00AB, not "
+        ),
         "{screen}"
     );
     assert!(
@@ -189,7 +191,7 @@ fn whatever_a_person_should_know_is_said() {
     });
     assert!(faulty.contains("FAULT  12 s"), "{faulty}");
     assert!(
-        faulty.contains("\n fault 75: too many jumps back"),
+        faulty.contains("\n fault 75: too many backward jumps"),
         "{faulty}"
     );
     let mut stopped = reading();
@@ -207,7 +209,7 @@ fn whatever_a_person_should_know_is_said() {
         reading.diagnostics.state = None;
     });
     for part in [
-        "A5 is closed",
+        "the STOP switch is closed",
         "an upload is in progress",
         "the card failed",
         "FORCED  ?",
@@ -309,9 +311,9 @@ fn digits_force_a_point_to_1_then_to_0_and_let_it_go() {
     let force = Order::Force(Side::Outputs, 0, Some(true));
     assert_eq!(press(&mut app, KeyCode::Char('1')), Some(force));
     assert_eq!(press(&mut app, KeyCode::Char('5')), None, "there are four");
-    assert!(screen(&mut app, 80, 24).contains("Outputs: 1 to 4 force"));
+    assert!(screen(&mut app, 80, 24).contains("Outputs: force 1 to 4"));
     press(&mut app, KeyCode::Char('o'));
-    assert!(screen(&mut app, 80, 24).contains("Inputs: 1 to 8 force"));
+    assert!(screen(&mut app, 80, 24).contains("Inputs: force 1 to 8"));
 
     // A key that is held, or goes up, forces nothing more.
     for kind in [KeyEventKind::Repeat, KeyEventKind::Release] {
@@ -525,7 +527,7 @@ fn what_is_forced_is_said_at_the_start_and_at_the_end() {
     let mut app = showing(forced);
     let screen = screen(&mut app, 80, 24);
     assert!(
-        screen.contains("already forced: Q3=1; x releases all"),
+        screen.contains("already forced: Q3=1; x releases all points"),
         "{screen}"
     );
     press(&mut app, KeyCode::Char('1'));
@@ -563,7 +565,7 @@ fn when_forcing_ends_by_itself_is_said_at_the_end() {
         let forced = showing(now.clone()).forced();
         assert_eq!(forced.seconds(), seconds);
         let by_itself =
-            left_forced(forced).contains("the board releases all 7 s after the last request");
+            left_forced(forced).contains("the board releases them 7 s after the last request");
         assert_eq!(by_itself, seconds.is_some());
     }
     // Whoever leaves before the next reading is told what holds then.
@@ -595,10 +597,7 @@ fn an_output_that_no_rung_writes_is_said_to_stay_on_when_it_is_let_go() {
             Some(program()),
             "still on, because no rung writes them: Q3; STOP",
         ),
-        (
-            None,
-            "still on, unless the program writes them: Q1 Q3; STOP",
-        ),
+        (None, "stay on unless the program writes them: Q1 Q3; STOP"),
     ] {
         let mut app = app(program);
         let mut now = reading();
@@ -713,7 +712,7 @@ fn the_screen_speaks_portuguese() {
     now.diagnostics.flags = flag::STOP_SWITCH | flag::UPLOAD | flag::CARD_FAILED;
     let shown = screen(&mut showing(now), 80, 24);
     for part in [
-        "Entradas: 1 a 8 forçam",
+        "Entradas: force 1 a 8",
         "já estavam forçados: Q1=1",
         "varredura 214",
         "fonte 5,01 V",
@@ -729,13 +728,15 @@ fn the_screen_speaks_portuguese() {
     }
 }
 
-/// Who leaves right after a force is told of it, though the reading on its way knows nothing of it yet.
+/// Who leaves right after a force is told of it, though the readings on their way know nothing of it yet.
 #[test]
 fn a_reading_from_before_a_force_does_not_hide_it() {
     let mut app = showing(reading());
     press(&mut app, KeyCode::Char('1'));
     app.hear(News::Read(Box::new(reading())));
+    app.hear(News::Read(Box::new(reading())));
     assert!(app.forced().any());
+    app.hear(News::Done);
     app.hear(News::Read(Box::new(reading())));
     assert!(!app.forced().any(), "the board knows better");
     press(&mut app, KeyCode::Char('1'));

@@ -26,6 +26,8 @@ pub enum News {
     },
     /// All that there is to show.
     Read(Box<Reading>),
+    /// An order was done.
+    Done,
     /// An order was not done, and why.
     Refused(String),
     /// There is no board, or no longer one, and why. It is sought on.
@@ -161,6 +163,7 @@ impl Desk for At<'_> {
     fn hear(&self, event: Event<'_>) {
         match event {
             Event::Seen(reading) => self.say(News::Read(Box::new(reading.clone()))),
+            Event::Done(_) => self.say(News::Done),
             Event::Undone(why) => {
                 self.say(News::Refused(messages::undone(why)));
             }

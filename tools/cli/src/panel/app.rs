@@ -154,7 +154,7 @@ impl App {
         self.quit
     }
 
-    /// What the fault is and where it stands: `lamp.il:12: too many jumps back in one scan (NC-19)`, and that line.
+    /// What the fault is and where it stands: `lamp.il:12: too many backward jumps in one scan (NC-19)`, and that line.
     pub(super) fn faulty(&self) -> Option<[String; 2]> {
         let cause = messages::fault(self.fault?.cause);
         let line = self.fault_line.unwrap_or_default();

@@ -187,7 +187,7 @@ fn a_momentary_button_is_closed_while_its_key_is_held() {
         press(&mut app, '1');
         advance(&mut app, 100);
         assert_eq!(app.buttons.closed(), Image(1));
-        assert!(screen(&mut app, 80, 24)[1].contains("closed while 1 to 4 is held"));
+        assert!(screen(&mut app, 80, 24)[1].contains("hold 1 to 4 to close"));
         advance(&mut app, 900);
         assert_eq!(app.buttons.closed(), Image(closed_after_a_second.into()));
         event(&mut app, KeyCode::Char('1'), KeyEventKind::Release);
@@ -555,7 +555,7 @@ fn a_fault_names_the_line_of_the_text() {
     advance(&mut app, 10);
     let shown = screen(&mut app, 80, 20).join("\n");
     assert!(shown.contains("FAULT 75, line 5"), "{shown}");
-    let says = " loop.il:5: fault 75: too many jumps back in one scan (NC-19)\n   JMP begin\n";
+    let says = " loop.il:5: fault 75: too many backward jumps in one scan (NC-19)\n   JMP begin\n";
     assert!(shown.contains(says), "{shown}");
 }
 

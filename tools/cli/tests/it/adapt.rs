@@ -49,8 +49,8 @@ fn what_it_cannot_do_is_told() {
             "codes.txt",
             "0\n827301\n877901\n",
             2,
-            "is not Instruction List, Structured Text or PLCopen XML: only those write points as %QX1.3",
-            "não é Lista de Instruções, Texto Estruturado nem PLCopen XML: só eles escrevem pontos como %QX1.3",
+            "is not Instruction List, Structured Text, SCL or PLCopen XML, which are the languages that adapt can change",
+            "não é Lista de Instruções, Texto Estruturado, SCL nem PLCopen XML, que são as linguagens que adapt pode alterar",
         ),
         ("empty.st", "", 2, "is empty", "está vazio"),
     ] {

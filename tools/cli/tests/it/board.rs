@@ -91,7 +91,7 @@ fn what_is_no_board_is_told_apart() {
         identity: ["ACME", "Meter", "3"],
         ..Board::default()
     }));
-    let way_on = "; `unoclp flash` installs the firmware on a UNO or a Nano";
+    let way_on = "; `unoclp flash` installs the firmware";
     assert_eq!(
         error,
         format!("the device at {path} does not run unoclp but \"ACME Meter 3\"{way_on}")
@@ -108,7 +108,7 @@ fn what_is_no_board_is_told_apart() {
 
     let (error, path) = message(Fake::with(Board::default(), |_, _| Fate::Unplugged));
     assert!(
-        error.starts_with(&format!("{path}: the connection is lost: ")),
+        error.starts_with(&format!("{path}: the connection was lost: ")),
         "{error}"
     );
 }
@@ -140,14 +140,14 @@ fn a_port_that_cannot_be_used_says_why() {
     assert!(
         denied
             .to_string()
-            .starts_with("this user may not open /dev/ttyACM0; ")
+            .starts_with("this user has no permission to open /dev/ttyACM0; ")
     );
 
     let _user = find(&fake.place(), PATIENT).unwrap();
     assert_eq!(
         at(fake.path()).to_string(),
         format!(
-            "another program is using {}; close its serial monitor",
+            "another program, such as a serial monitor, is using {}; close it",
             fake.path()
         )
     );
@@ -203,7 +203,7 @@ fn a_board_that_is_watched_does_what_is_ordered() {
         News::Refused(why) => Some(why),
         _ => None,
     });
-    assert_eq!(why, "A5 is closed and holds the board in STOP");
+    assert_eq!(why, "the STOP switch holds the board in STOP");
     fake.board().outputs = 4;
     until(&news, |reading| reading.outputs == 4);
 }

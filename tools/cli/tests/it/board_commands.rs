@@ -44,7 +44,7 @@ fn an_upload_says_what_it_does() {
     let (code, out, err) = on(&fake, &["upload", &program]);
     let path = fake.path();
     let expected = format!(
-        "unoclp UNO 0.1.0 at {path}, address 1\nSTOP\nstored: 3 bytes, check sum {crc:04X}\nRUN\n"
+        "unoclp UNO 0.1.0 at {path}, address 1\nSTOP\nstored: 3 bytes, checksum {crc:04X}\nRUN\n"
     );
     assert!(
         out.starts_with(&format!("{program}: OK: 4 codes, ")),
@@ -117,7 +117,7 @@ fn an_upload_to_a_board_with_another_stored_form_is_no_failure() {
         assert_eq!((code, err.as_str()), (0, ""), "{out}");
         let told = fake.board().kept.sum;
         assert_ne!(told, kept(FOLLOW).sum);
-        let says = format!("stored: 3 bytes, check sum {told:04X}\nRUN\n");
+        let says = format!("stored: 3 bytes, checksum {told:04X}\nRUN\n");
         assert!(out.ends_with(&says), "{out}");
     }
 }
@@ -129,7 +129,7 @@ fn a_program_that_an_older_board_does_not_know_is_not_sent() {
     let (code, out, err) = on(&fake, &["upload", &program]);
     assert!(code == 2 && !out.contains("STOP"), "{out}{err}");
     assert!(
-        err.contains("in form 1") && err.contains("needs form 2"),
+        err.contains("stores programs in form 1") && err.contains("needs form 2"),
         "{err}"
     );
     assert_eq!(fake.board().state, RUN);
@@ -154,7 +154,7 @@ fn an_upload_ends_as_the_board_lets_it() {
         (
             switched,
             &[],
-            "A5 is closed: in STOP, until A5 is opened\n",
+            "in STOP until the STOP switch is opened\n",
             STOP,
         ),
         (faulty, &[], "RUN\n", RUN),
@@ -176,7 +176,7 @@ fn a_fault_that_the_board_finds_is_shown_as_check_does() {
     });
     let (code, out, err) = on(&fake, &["upload", &program]);
     assert_eq!((code, err.as_str()), (1, ""));
-    let says = "the board rejects the program and keeps its old one:\nerror[57]: ";
+    let says = "the board rejects the program and keeps the old one:\nerror[57]: ";
     assert!(out.contains(says), "{out}");
     assert_eq!(fake.board().state, STOP, "it does not run");
 }
@@ -225,7 +225,7 @@ fn new_settings_are_kept_and_used() {
     let (code, out, err) = on(&fake, &[&set[..], &more].concat());
     assert_eq!((code, err.as_str()), (0, ""), "{out}");
     let says = "address 7, 9600 baud, even parity, direction pin on, nothing locked; restarting\n\
-        it answers from address 7 at 9600 baud, even parity\n";
+        the board answers: address 7 at 9600 baud, even parity\n";
     assert!(out.ends_with(says), "{out}");
     let board = fake.board();
     assert_eq!(board.settings, [7, 96, 1, 1, 0]);
@@ -258,7 +258,7 @@ fn said_of_settings(fake: &Fake, more: &[&str]) -> String {
         .collect()
 }
 
-const TO_UNLOCK: &str = "; to unlock, reset the board with A5 and inputs 01 to 04 connected to ground, then write any \
+const TO_UNLOCK: &str = "; to unlock, reset the board with the STOP pin (A5 on a UNO) and inputs 01 to 04 connected to GND, then write any \
                          setting\n";
 
 #[test]
@@ -324,7 +324,7 @@ fn another_address_and_a_lock_are_used_from_a_restart_on() {
     let says = format!(
         "now locked: upload{TO_UNLOCK}\
          address 7, 115200 baud, no parity, direction pin off, locked: upload; restarting\n\
-         it answers from address 7 at 115200 baud, no parity\n"
+         the board answers: address 7 at 115200 baud, no parity\n"
     );
     let set = ["--set-address", "7", "--lock", "upload"];
     assert_eq!(said_of_settings(&fake, &set), says);
@@ -348,7 +348,7 @@ fn a_board_without_a_lock_is_not_stopped_for_one() {
     assert!(!fake.board().stopped);
     // Its settings are set as ever.
     let says = "address 7, 115200 baud, no parity, direction pin off; restarting\n\
-                it answers from address 7 at 115200 baud, no parity\n";
+                the board answers: address 7 at 115200 baud, no parity\n";
     assert_eq!(said_of_settings(&fake, &["--set-address", "7"]), says);
 }
 
@@ -402,7 +402,7 @@ fn a_board_whose_commands_are_locked_is_stopped_by_a5_only() {
     ] {
         let fake = Fake::new(locked(0b100));
         let (code, _, err) = on(&fake, command);
-        let says = "error: commands are locked, so only the STOP pin A5 can stop the board: connect A5 to ground, then try again\n";
+        let says = "error: commands are locked, so only the STOP pin can stop the board: connect it to GND (A5 on a UNO) and try again\n";
         assert_eq!((code, err.as_str()), (2, says));
     }
     let fake = Fake::new(Board {
@@ -412,7 +412,7 @@ fn a_board_whose_commands_are_locked_is_stopped_by_a5_only() {
     });
     let (code, out, err) = on(&fake, &["upload", &program]);
     assert_eq!((code, err.as_str()), (0, ""), "{out}");
-    let says = "A5 is closed: in STOP, until A5 is opened\n";
+    let says = "in STOP until the STOP switch is opened\n";
     assert!(out.ends_with(says), "{out}");
 
     let fake = Fake::new(Board {
@@ -421,7 +421,7 @@ fn a_board_whose_commands_are_locked_is_stopped_by_a5_only() {
     });
     let (code, _, err) = on(&fake, &["upload", &program]);
     let says = "error: the program is stored, but the board does not start it: \
-                this is locked on the board\n";
+                this operation is locked on the board\n";
     assert_eq!((code, err.as_str()), (2, says));
 }
 
@@ -441,7 +441,7 @@ fn what_cannot_be_done_is_exit_code_2_and_says_what_to_do() {
         (&["upload", &program, port[0], port[1]], missing),
         (&["settings", port[0], port[1]], missing),
         (&["monitor", port[0], port[1]], "error: the monitor needs a terminal"),
-        (&["settings", port[0], port[1], "--set-rate", "1234"], "error: a board does not support 1234 baud; it supports 2400, "),
+        (&["settings", port[0], port[1], "--set-rate", "1234"], "error: the board does not support 1234 baud; it supports 2400, "),
         (&["settings", port[0], port[1], "--address", "0"], "error: invalid value '0' for '--address"),
         (&["monitor", port[0], port[1], "--end-forcing", "0"], "error: invalid value '0' for '--end-forcing <SECONDS>': 0 is not in 1..=254"),
         (&["monitor", port[0], port[1], "--end-forcing", "255"], "error: invalid value '255' for '--end-forcing <SECONDS>'"),
@@ -468,7 +468,7 @@ fn a_board_that_fails_in_its_first_second_is_not_said_to_run() {
     assert_eq!((code, err.as_str()), (1, ""), "{out}");
     let says = format!(
         "in FAULT, within the first 1000 ms of scanning:\n\
-         {program}:5: fault 75: too many jumps back in one scan (NC-19)\n  JMP again\n"
+         {program}:5: fault 75: too many backward jumps in one scan (NC-19)\n  JMP again\n"
     );
     assert!(out.ends_with(&says), "{out}");
     assert!(!out.contains("\nRUN\n"), "{out}");
@@ -527,7 +527,7 @@ fn a_board_is_told_of_in_portuguese() {
         (
             Board::default(),
             settings,
-            "ela responde: endereço 7 a 115200 baud, paridade ímpar\n",
+            "a placa responde: endereço 7 a 115200 baud, paridade ímpar\n",
         ),
         (
             unreliable,
@@ -544,7 +544,7 @@ fn a_board_is_told_of_in_portuguese() {
             upload,
             "falha 99, linha 7: desconhecida por esta versão do unoclp\n",
         ),
-        (switched, upload, "A5 está fechado"),
+        (switched, upload, "em STOP até a chave STOP ser aberta"),
         (
             differs,
             upload,
@@ -553,7 +553,7 @@ fn a_board_is_told_of_in_portuguese() {
         (
             Board::default(),
             &["settings", "--lock", "all"],
-            "agora bloqueado: envio, ajustes, comandos, escrita; para desbloquear, faça o reset da placa",
+            "agora bloqueado: envio, ajustes, comandos, escrita; para desbloquear, faça o reset com o pino STOP",
         ),
         (
             Board::default(),
@@ -573,7 +573,7 @@ fn a_board_is_told_of_in_portuguese() {
         (
             locked(0b100),
             upload,
-            "erro: os comandos estão bloqueados; só o pino STOP (A5) pode parar a placa",
+            "erro: os comandos estão bloqueados; só o pino STOP pode parar a placa",
         ),
         (
             worn,
@@ -620,7 +620,8 @@ fn an_upload_lets_go_what_is_forced_unless_it_is_told_not_to() {
         ..Board::default()
     });
     let (_, out, _) = on(&fake, &["upload", &program, "--keep-forces"]);
-    let says = "RUN\nstill forced: I1=1 Q2=0; the board releases all 30 s after the last request; ";
+    let says =
+        "RUN\nstill forced: I1=1 Q2=0; the board releases them 30 s after the last request. ";
     assert!(out.contains(says), "{out}");
 
     // What is refused changes nothing, and says so.

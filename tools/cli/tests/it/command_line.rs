@@ -29,6 +29,10 @@ fn check_tells_what_a_program_uses() {
         "{out}"
     );
     assert!(out.ends_with("; pins: I5 A2 Q3 P4\n"), "{out}");
+    let text = "0\n827709\n877710\n";
+    let (code, out, _) = outcome(&["check", &file("no-pins.txt", text)]);
+    assert_eq!(code, 0, "{out}");
+    assert!(out.ends_with(" bytes of run memory; no pins\n"), "{out}");
 }
 
 #[test]
@@ -63,7 +67,7 @@ fn what_cannot_be_done_is_exit_code_2_and_says_what_to_do() {
         (&["list", "no-such.txt"], "error: no-such.txt cannot be read ("),
         (&["list"], "error: the following required arguments were not provided:\n  <FILE>"),
         (&["list", &program, "--width", "20"], "error: invalid value '20' for '--width <N>': 20 is not in 56..=1000"),
-        (&["list", &program, "--as", "numeric", "--svg", "o.svg"], "error: --svg draws a ladder diagram, with --as fbd a block diagram, with --as sfc or grafcet a chart; leave out --as, or --svg"),
+        (&["list", &program, "--as", "numeric", "--svg", "o.svg"], "error: --svg draws a ladder diagram, a block diagram (--as fbd) or a chart (--as sfc, --as grafcet); leave out --as or --svg"),
         (&["list", &program, "--svg", "no-such/o.svg"], "error: no-such/o.svg cannot be written: "),
         (&["fly"], "error: unrecognized subcommand 'fly'"),
         (&[], "The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it"),
@@ -177,7 +181,10 @@ fn a_scenario_tests_the_file_that_one_names() {
     let names_none = file("untied.toml", &format!("about = \"\"\n{steps}"));
     let (code, _, err) = outcome(&["sim", "--scenario", &names_none]);
     assert_eq!(code, 2);
-    assert!(err.contains("it names no program; give a file"), "{err}");
+    assert!(
+        err.contains("the scenario names no program; give a file"),
+        "{err}"
+    );
     let mine = file("untied.il", "LD I1\nST Q1\n");
     assert_eq!(outcome(&["sim", &mine, "--scenario", &names_none]).0, 0);
 }
@@ -189,8 +196,9 @@ fn a_fault_while_it_runs_names_the_line_of_the_text() {
     let scenario = file("loops.toml", steps);
     let (code, out, _) = outcome(&["sim", &loops, "--scenario", &scenario]);
     assert_eq!(code, 1, "{out}");
-    let says =
-        format!("  {loops}:4: fault 75: too many jumps back in one scan (NC-19)\n    JMP again\n");
+    let says = format!(
+        "  {loops}:4: fault 75: too many backward jumps in one scan (NC-19)\n    JMP again\n"
+    );
     assert!(out.ends_with(&says), "{out}");
 }
 

@@ -151,7 +151,7 @@ fn a_class_is_graded_and_what_is_wrong_is_a_row() {
         ("empty.txt", "0/2    does not compile: the file is empty"),
         ("follows, only.il", "1/2    It stays: Q1 at 120 ms: expected 1, got 0 (until 300 ms)"),
         ("large.il", "0/2    does not compile: line "),
-        ("loops.st", "0/2    On: line 5: fault 75: too many jumps back in one scan (NC-19)"),
+        ("loops.st", "0/2    On: line 5: fault 75: too many backward jumps in one scan (NC-19)"),
         ("point.il", "0/2    does not compile: line 1: there is no point `I9` on this board"),
         ("zero.txt", "0/2    does not compile: line 2: this board has no such input"),
         ("A lamp with memory: 2 of 9 passed", ""),
@@ -294,7 +294,7 @@ fn grade_reads_answers_and_asks_for_a_language() {
             .join(" ")
     };
     assert_eq!(line(&out, "found.txt"), "2 passed");
-    assert_eq!(line(&out, "not.txt"), "1 not found in 1 tries");
+    assert_eq!(line(&out, "not.txt"), "1 not found; tries: 1");
 
     let again = of("write/01-into-text.toml");
     let model = of("write/01-into-text.st");

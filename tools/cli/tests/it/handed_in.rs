@@ -206,7 +206,7 @@ fn what_is_no_hand_in_is_told_and_ends_nothing() {
                 "deep.unoclp.json:1:128: ",
                 "empty.unoclp.json:1:0: ",
                 "has 52428800 bytes",
-                "ask the student to hand in again",
+                "ask for a new hand-in",
             ],
             true => [
                 "cut.unoclp.json:1:40: o arquivo está danificado",
@@ -221,7 +221,7 @@ fn what_is_no_hand_in_is_told_and_ends_nothing() {
         }
         assert!(
             out.contains(if is_pt {
-                "A lamp: 1 de 11 passaram"
+                "A lamp: programas que passam: 1 de 11"
             } else {
                 "A lamp: 1 of 11 passed"
             }),

@@ -101,7 +101,7 @@ fn what_would_run_for_ever_is_refused_or_stopped() {
     }
     let (code, _, err) = outcome(&["run", &il, "--scans", "1000000000"]);
     assert!(
-        code == 2 && err.contains("Ask for fewer with --scans"),
+        code == 2 && err.contains("Set fewer scans with --scans"),
         "{err}"
     );
 }

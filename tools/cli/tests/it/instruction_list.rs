@@ -38,7 +38,7 @@ fn each_code_names_its_word_and_its_line() {
     assert_eq!((code, out.as_str()), (0, ""));
     assert_eq!(
         err,
-        format!("{lamp}: dialect iec, by its words; codes: 4, warnings: 0\n")
+        format!("{lamp}: dialect iec, detected from its keywords; codes: 4, warnings: 0\n")
     );
     let numeric = fs::read_to_string(numeric).unwrap();
     assert!(
@@ -132,7 +132,7 @@ fn warnings_stand_beside_what_was_asked_for() {
     let (_, _, err) = outcome_in(&["compile", &warned], "pt_BR");
     assert!(err.starts_with("aviso[IL-"), "{err}");
     assert!(
-        err.ends_with("dialeto iec, pelas palavras; códigos: 6, avisos: 1\n"),
+        err.ends_with("dialeto iec, detectado pelas palavras-chave; códigos: 6, avisos: 1\n"),
         "{err}"
     );
 }
@@ -144,7 +144,7 @@ fn the_dialect_is_found_or_said() {
     let (code, out, _) = outcome(&["check", &file]);
     assert_eq!(code, 0, "{out}");
     assert!(
-        out.ends_with("pins: I1 I2 Q1\n  dialect mitsubishi, by its words\n"),
+        out.ends_with("pins: I1 I2 Q1\n  dialect mitsubishi, detected from its keywords\n"),
         "{out}"
     );
     let (code, out, _) = outcome(&["check", &file, "--dialect", "mitsubishi"]);
@@ -327,7 +327,7 @@ fn an_image_of_a_card_is_made_new() {
     let (code, _, err) = outcome(&["card", &plain, &numeric]);
     assert_eq!(code, 2);
     assert!(
-        err.contains("exists, and unoclp overwrites only PROGRAM.TXT on a card"),
+        err.contains("exists, but unoclp overwrites only PROGRAM.TXT on a card"),
         "{err}"
     );
     assert!(fs::read(&plain).unwrap() == before);

@@ -65,17 +65,17 @@ fn a_program_without_room_for_two_records_is_refused_with_what_is_lacking() {
     for (codes, english, portuguese) in [
         (
             "827301\n".repeat(734),
-            "; 1 byte of program memory is lacking.",
+            "; 1 more byte of program memory is needed.",
             "; falta 1 byte de memória de programa.",
         ),
         (
             "827301\n".repeat(745),
-            "; 12 bytes of program memory are lacking.",
+            "; 12 more bytes of program memory are needed.",
             "; faltam 12 bytes de memória de programa.",
         ),
         (
             ["827301\n".repeat(700), "6985\n".repeat(200)].concat(),
-            "; 167 bytes of program memory and 140 of run memory are lacking.",
+            "; 167 more bytes of program memory and 140 of run memory are needed.",
             "; faltam 167 bytes de memória de programa e 140 de memória de execução.",
         ),
     ] {
@@ -87,7 +87,7 @@ fn a_program_without_room_for_two_records_is_refused_with_what_is_lacking() {
             "{out}"
         );
         assert!(
-            out.contains("retained values need room for two records"),
+            out.contains("kept values need room for two records"),
             "{out}"
         );
         let (code, out, _) = outcome_in(&["check", &program], "pt_BR.UTF-8");
@@ -128,13 +128,13 @@ fn instruction_list_without_room_for_two_records_is_refused_with_what_is_lacking
     for (lang, lacking, room) in [
         (
             "C",
-            "; 41 bytes of program memory are lacking.",
-            "retained variables need room for two records",
+            "; 41 more bytes of program memory are needed.",
+            "retain fewer numbers: each retained number is stored twice",
         ),
         (
             "pt_BR.UTF-8",
             "; faltam 41 bytes de memória de programa.",
-            "variáveis retidas precisam de lugar para duas gravações",
+            "retenha menos números: cada número retido é guardado duas vezes",
         ),
     ] {
         for command in ["check", "compile"] {

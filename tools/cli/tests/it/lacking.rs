@@ -51,7 +51,7 @@ fn a_point_that_the_board_lacks_is_told_with_what_it_has() {
         assert!(fits, "{name}: {said}");
         assert!(said.contains("pins: I24 Q16"), "{name}: {said}");
         for (lang, has, other) in [
-            ("C", "inputs 01 to 08", "the board Mega has"),
+            ("C", "inputs 01 to 08", "the Mega has"),
             ("pt_BR.UTF-8", "entradas 01 a 08", "a placa Mega tem"),
         ] {
             let (fits, said) = checked("uno", file, lang);

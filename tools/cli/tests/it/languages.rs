@@ -128,7 +128,7 @@ fn what_is_no_program_is_told_what_it_is_in_every_command() {
         ),
         (
             "pt_BR",
-            " não é um programa: o começo dele não é de nenhuma",
+            " não é um programa: as primeiras linhas não são de nenhuma",
             " está vazio",
             "não um texto",
             "use --language",

@@ -215,8 +215,8 @@ fn a_numeric_listing_is_the_same_program() {
 500      /         preset: 500 ms
 7901     /         drives O 01
 
-787600   / NL      new rung: acc := 1; the branch points of the rung before are forgotten
--827902  / -RO 02  contact: acc := acc AND NOT output 02, as the image stands now
+787600   / NL      new rung: acc := 1; the branch points of the previous rung are cleared
+-827902  / -RO 02  contact: acc := acc AND NOT output 02, as it is now in the image
 716900   / GE 00   comparison: acc := acc AND (value >= -5)
 -5       /         the constant
 ";

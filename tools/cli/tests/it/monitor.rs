@@ -106,9 +106,9 @@ fn whoever_leaves_is_told_what_stays_forced_and_how_long() {
         (
             &["--end-forcing", "10"][..],
             10,
-            "; the board releases all 10 s after",
+            "; the board releases them 10 s after",
         ),
-        (&[], 0, "; x in the monitor or a restart releases them"),
+        (&[], 0, "; to release them, press x in the monitor"),
     ] {
         let fake = Fake::new(Board::default());
         let mut monitor = Monitor::new(&fake, more);

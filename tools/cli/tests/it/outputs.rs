@@ -245,7 +245,7 @@ fn a_program_file_without_its_end_is_refused_and_a_changed_one_told() {
     for (code, due) in [(outcome(&["check", &file]), 0), (upload(&file), 2)] {
         assert_eq!(code.0, due, "{code:?}");
         assert!(
-            code.2.contains("warning: ") && code.2.contains("changed this file after"),
+            code.2.contains("warning: ") && code.2.contains("this file was changed after"),
             "{code:?}"
         );
     }

@@ -10,7 +10,7 @@ fn a_point_beyond_the_uno_names_the_board_that_has_it() {
     let program = file("wide.txt", "0\n827399\n877901\n");
     let (code, out, _) = outcome(&["check", &program]);
     assert_eq!(code, 1);
-    let help = "the UNO has inputs 01 to 08; the board PC has 01 to 99";
+    let help = "the UNO has inputs 01 to 08; the PC has 01 to 99";
     assert!(out.contains(help), "{out}");
     let (_, out, _) = outcome_in(&["check", &program], "pt_BR.UTF-8");
     let help = "o UNO tem as entradas 01 a 08; a placa PC tem 01 a 99";
@@ -40,6 +40,19 @@ fn each_language_names_the_points_of_a_pc() {
             assert_eq!(code, 0, "{command} {name}: {out}{err}");
         }
     }
+}
+
+/// As Beremiz numbers the points of what hangs on a bus.
+#[test]
+fn points_within_points_have_places_of_their_own() {
+    let text = "PROGRAM p\nVAR a AT %ID0.0.0 : REAL; b AT %ID0.0.1 : REAL; c AT %QX3.1.7 : BOOL; END_VAR\n\
+                c := a + 1.5 > b;\nEND_PROGRAM\n";
+    let program = file("within.st", text);
+    let (code, out, err) = outcome(&["check", "--board", "pc", &program]);
+    assert_eq!(code, 0, "{out}{err}");
+    assert!(out.contains("2 registers"), "{out}");
+    let (code, out, _) = outcome(&["check", &program]);
+    assert_eq!(code, 1, "{out}");
 }
 
 #[test]
@@ -90,7 +103,7 @@ fn a_project_carries_points_of_a_pc() {
     let (code, out, err) = outcome(&["check", &project]);
     assert_eq!(code, 1, "{out}{err}");
     assert!(
-        out.contains("input 99") && out.contains("the board PC has this one"),
+        out.contains("input 99") && out.contains("the PC has this one"),
         "{out}"
     );
 }

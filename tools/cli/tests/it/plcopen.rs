@@ -49,7 +49,7 @@ fn what_no_ladder_of_a_project_has_is_named_and_becomes_instruction_list() {
         ),
         (
             "pt-BR",
-            "XML-523: degrau 1: um ladder do PLCopen XML não consegue expressar `IF`",
+            "XML-523: degrau 1: um ladder do PLCopen XML não tem `IF`",
         ),
     ] {
         let (code, out, errors) = outcome_in(&["list", &program, "--as", "xml"], lang);

@@ -225,7 +225,8 @@ fn no_argument_is_refused_in_english() {
     }
     let refused = said(&["list", "a.txt", "--width", "20"]);
     assert!(
-        refused.starts_with("erro: valor inválido '20' para '--width <N>'; vale 56 a 1000"),
+        refused
+            .starts_with("erro: valor inválido '20' para '--width <N>'; use um valor de 56 a 1000"),
         "{refused}"
     );
     let usage = said(&["list"]);

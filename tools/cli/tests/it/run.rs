@@ -176,7 +176,7 @@ fn what_cannot_be_run_is_exit_code_2() {
                 "--set",
                 "x=1.5",
             ],
-            "error: 1.5 is not a valid value for x, which is INT\n",
+            "error: 1.5 is not a valid value for x, which is of type INT\n",
         ),
     ] {
         let (code, out, err) = outcome(&arguments);
@@ -245,7 +245,7 @@ fn a_variable_of_mixed_kinds_is_what_it_holds() {
     let (code, _, err) = outcome(&["run", "--set", "V0=x", "--text", text]);
     assert_eq!(code, 2);
     assert!(
-        err.starts_with("error: x is not a valid value for V0, which is REAL/DINT"),
+        err.starts_with("error: x is not a valid value for V0, which is of type REAL/DINT"),
         "{err}"
     );
 }
@@ -384,12 +384,12 @@ fn what_is_wrong_in_interscl_and_lce_is_told_in_both_languages() {
         (
             "BLOCO INT a, b; END_BLOCK",
             "C",
-            "error[ISCL-304]: a declaration has one name, but `b` follows after a comma\n --> the text:1:12\n",
+            "error[ISCL-304]: a declaration has only one name, but `b` follows the comma\n --> the text:1:12\n",
         ),
         (
             "BLOCO INT a, b; END_BLOCK",
             "pt_BR",
-            "erro[ISCL-304]: uma declaração tem um só nome, mas `b` vem depois de uma vírgula\n --> o texto:1:12\n",
+            "erro[ISCL-304]: uma declaração tem um só nome, mas `b` vem depois da vírgula\n --> o texto:1:12\n",
         ),
         (
             "clp x 5 := V0; fim",

@@ -26,7 +26,7 @@ fn a_site_file_is_told_or_its_mistakes_are() {
         "{said}"
     );
     assert!(
-        said.contains("    program lamp.st: its names (1) apply while the board has check sum "),
+        said.contains("    program lamp.st: its names (1) apply while the board has the program with checksum "),
         "{said}"
     );
 
@@ -79,7 +79,7 @@ fn the_history_of_a_point_is_printed_for_a_spreadsheet() {
     let (code, _, told) = asked(&[], "C");
     assert_eq!(code, 2);
     assert!(
-        told.contains("this site keeps no history; write [history]"),
+        told.contains("this site keeps no history; add [history]"),
         "{told}"
     );
 

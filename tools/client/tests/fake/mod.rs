@@ -27,10 +27,10 @@ pub enum Fate {
     Unplugged,
 }
 
-/// Says what becomes of a request, given without its check sum.
+/// Says what becomes of a request, given without its checksum.
 pub type Trick = Box<dyn FnMut(&mut Board, &[u8]) -> Fate + Send>;
 
-/// What the board and the line make of a request with its check sum: its fate, and what comes back.
+/// What the board and the line make of a request with its checksum: its fate, and what comes back.
 pub fn answer(board: &mut Board, trick: &mut Trick, request: &[u8]) -> (Fate, Vec<u8>) {
     assert_eq!(Crc::of(request).value(), 0, "{request:02x?}");
     let request = &request[..request.len() - 2];
@@ -54,12 +54,12 @@ pub fn answer(board: &mut Board, trick: &mut Trick, request: &[u8]) -> (Fate, Ve
     (fate, reply)
 }
 
-/// Whether a request without its check sum is a block of an upload.
+/// Whether a request without its checksum is a block of an upload.
 pub fn is_block(request: &[u8]) -> bool {
     request[1] == 16 && request[2..4] == holding::UPLOAD.first.to_be_bytes()
 }
 
-/// The board's answer, with its check sum.
+/// The board's answer, with its checksum.
 fn handle(board: &mut Board, request: &[u8]) -> Vec<u8> {
     let mut frame = [0; FRAME_BYTES];
     frame[..request.len()].copy_from_slice(request);

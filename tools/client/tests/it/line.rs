@@ -36,7 +36,7 @@ impl Wire {
         Wire::with(board, |_, _| Fate::Answered)
     }
 
-    /// A board whose requests, each without its check sum, meet the fate that the trick says.
+    /// A board whose requests, each without its checksum, meet the fate that the trick says.
     pub fn with(
         board: Board,
         trick: impl FnMut(&mut Board, &[u8]) -> Fate + Send + 'static,

@@ -3,6 +3,7 @@
 use crate::fake::{Board, FAULT, Fate, RUN, STOP, is_block, kept};
 use crate::line::Wire;
 use unoclp_client::diagnostics::{Kept, Trouble};
+use unoclp_client::event::Undone;
 use unoclp_client::map::{BLOCK_BYTES, Command, State, flag, holding};
 use unoclp_client::upload::{
     Behind, Broken, Codes, FIRST_SCANS, Pass, Progress, Upload, end, go_on, needs, stop, upload,
@@ -286,6 +287,25 @@ fn a_board_that_keeps_something_else_is_found_out() {
         send_as(&mut wire, FOLLOW, sent),
         Err(Broken::Other { kept, sent })
     );
+}
+
+#[test]
+fn a_board_whose_firmware_is_older_than_an_instruction_is_left_alone() {
+    let pushes = "0\n766801\n808372\n766800\n3\n83856699\n838401\n";
+    let put = |text: &str, version| {
+        let board = Board {
+            state: RUN,
+            ..Board::default()
+        };
+        let mut wire = Wire::new(Board::of_version(version, board));
+        let ordered = program(text, |program| Upload::of(program, text.as_bytes()));
+        let done = wire.talk(async |client| ordered.put(client, &mut |_| ()).await);
+        (done, wire.board.state)
+    };
+    let old = Broken::TooOld { board: 1, needs: 2 };
+    assert_eq!(put(pushes, 1), (Err(Undone::Broken(old)), RUN));
+    assert_eq!(put(pushes, 2), (Ok(Behind::Run), RUN));
+    assert_eq!(put(FOLLOW, 1), (Ok(Behind::Run), RUN));
 }
 
 /// A firmware may keep programs in another form than this client knows: that is no failure.

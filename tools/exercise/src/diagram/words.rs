@@ -4,7 +4,7 @@
 
 unoclp_words::messages! {
     expected() "expected" "esperado";
-    came() "actual" "ocorreu";
+    came() "actual" "obtido";
     power_cut() "power cut" "queda de energia";
     seconds(whole, tenths) "{whole}.{tenths} s" "{whole},{tenths} s";
     legend()

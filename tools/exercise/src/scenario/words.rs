@@ -14,13 +14,13 @@ unoclp_words::messages! {
     key_twice() "this key appears twice" "esta chave aparece duas vezes";
     wrong_kind() "this value has the wrong type" "este valor não é do tipo que a chave pede";
     key_in_step(told)
-        "{told}; put keys of the whole file above the first [[step]]"
-        "{told}; ponha as chaves do arquivo inteiro acima do primeiro [[step]]";
+        "{told}; put file-wide keys above the first [[step]]"
+        "{told}; ponha as chaves gerais do arquivo acima do primeiro [[step]]";
     a_text()
         "write `text` as a string, or as a list of strings and {{ repeat = 3, text = \"…\" }}"
-        "escreva `text` como um texto, ou como uma lista de textos e {{ repeat = 3, text = \"…\" }}";
+        "escreva `text` como uma string, ou como uma lista de strings e {{ repeat = 3, text = \"…\" }}";
     both_languages()
-        "write a text as \"…\" or {{ en = \"…\", pt = \"…\" }}, or with only one of the two languages"
+        "write text as \"…\" or {{ en = \"…\", pt = \"…\" }}, or with only one of the two languages"
         "escreva um texto como \"…\" ou {{ en = \"…\", pt = \"…\" }}, ou em só uma das duas línguas";
     is_a_folder() "is a folder; name a file in it" "é uma pasta; indique um arquivo dela";
     no_file()
@@ -30,13 +30,13 @@ unoclp_words::messages! {
         "{told}; a scenario is a file in TOML (.toml)"
         "{told}; um cenário é um arquivo em TOML (.toml)";
     too_many_scans(scans, most)
-        "this would take {scans} scans, but all cases of a file together may take {most}; end it earlier (`until`), or make `scan_ms` longer"
-        "isto levaria {scans} varreduras, mas os casos de um arquivo podem somar {most}; termine antes (`until`) ou aumente `scan_ms`";
+        "this scenario would take {scans} scans, but all cases of a file together may take {most}; end it earlier (`until`), or increase `scan_ms`"
+        "este cenário levaria {scans} varreduras, mas os casos de um arquivo podem somar {most}; termine antes (`until`) ou aumente `scan_ms`";
     program(name, why) "the program {name} {why}" "o programa {name} {why}";
     has_errors() "has errors; `unoclp check` shows them" "tem erros; `unoclp check` os mostra";
     no_program()
-        "it names no program; give a file: `sim FILE --scenario S.toml`"
-        "ele não indica um programa; indique um arquivo: `sim ARQUIVO --scenario S.toml`";
+        "the scenario names no program; give a file: `sim FILE --scenario S.toml`"
+        "o cenário não indica um programa; indique um arquivo: `sim ARQUIVO --scenario S.toml`";
     given_alone()
         "write `given` and `answer_in` together: a program, and the language for the answer"
         "escreva `given` e `answer_in` juntos: um programa e a linguagem da resposta";
@@ -47,17 +47,17 @@ unoclp_words::messages! {
         "the program in `given` has errors; `unoclp check` shows them"
         "o programa em `given` tem erros; `unoclp check` os mostra";
     find_without()
-        "[find] hides a fault in a machine; name one with `plant`"
-        "[find] esconde uma falha em uma máquina; indique uma com `plant`";
+        "[find] hides a fault; name its machine with `plant`"
+        "[find] esconde uma falha; indique a máquina dela com `plant`";
     seeds_without()
-        "`seeds` are further random seeds of a machine; name one with `plant`"
-        "`seeds` são outras sementes aleatórias de uma máquina; indique uma com `plant`";
+        "`seeds` are random seeds of a machine; name the machine with `plant`"
+        "`seeds` são sementes aleatórias de uma máquina; indique a máquina com `plant`";
     many_seeds(most)
         "`seeds` has more than {most} numbers; remove some"
         "`seeds` tem mais de {most} números; tire alguns";
     hidden_chance(seed, why)
-        "with hidden random values ({seed}): {why}"
-        "com valores aleatórios ocultos ({seed}): {why}";
+        "with hidden random values (seed {seed}): {why}"
+        "com valores aleatórios ocultos (semente {seed}): {why}";
     two_programs()
         "`program` and `text` both give a program; keep one of them"
         "tanto `program` quanto `text` indicam um programa; deixe só um dos dois";
@@ -69,8 +69,8 @@ unoclp_words::messages! {
         "there is no fault {number}; docs/faults.md lists them"
         "não existe a falha {number}; docs/faults.pt-BR.md lista todas";
     line_zero()
-        "lines count from 1; omit `line` if the fault has no line"
-        "as linhas são contadas a partir de 1; omita `line` se a falha não tem linha";
+        "count lines from 1; omit `line` if the fault has no line"
+        "conte as linhas a partir de 1; omita `line` se a falha não tem linha";
     no_period() "`scan_ms` must be 1 or more" "`scan_ms` deve ser 1 ou mais";
     ends_early(last)
         "`until` comes before the last step, at {last} ms"
@@ -80,19 +80,19 @@ unoclp_words::messages! {
         "não existe a placa \"{name}\"; placas conhecidas: {known}";
     cases_and_steps()
         "in a file with [[case]], the steps and `until` belong in the cases; move them there"
-        "um arquivo com [[case]] tem os passos e `until` dentro dos casos; passe-os para lá";
+        "com [[case]] no arquivo, os passos e `until` ficam nos casos; passe-os para lá";
     several_cases(count)
-        "it has {count} cases, but only one can run here"
-        "ele tem {count} casos, mas aqui só se executa um";
+        "the scenario has {count} cases, but only one can run here"
+        "o cenário tem {count} casos, mas aqui só se executa um";
     not_named(name, inputs, analogue, outputs, markers, registers)
         "{name} is not a point; the points are I1 to I{inputs}, A0 to A{analogue}, Q1 to Q{outputs}, P1, P4, M1 to M{markers} and D1 to D{registers}"
         "{name} não é um ponto; os pontos são I1 a I{inputs}, A0 a A{analogue}, Q1 a Q{outputs}, P1, P4, M1 a M{markers} e D1 a D{registers}";
     nothing_happens()
-        "nothing happens; write a [[step]] or the expected `fault`"
-        "nada acontece; escreva um [[step]], ou a falha esperada em `fault`";
+        "nothing happens in this scenario; write a [[step]] or the expected `fault`"
+        "nada acontece neste cenário; escreva um [[step]], ou a falha esperada em `fault`";
     goes_on()
         "the run ends at `stops`; remove `until` and later steps"
-        "a execução termina em `stops`; tire `until` e os passos depois dele";
+        "a execução termina em `stops`; tire `until` e os passos seguintes";
     no_scan(at, period)
         "no scan starts at {at} ms; scans start every {period} ms (`scan_ms`)"
         "nenhuma varredura começa aos {at} ms; começa uma a cada {period} ms (`scan_ms`)";
@@ -120,15 +120,15 @@ unoclp_words::messages! {
         "stopped as expected at {at} ms: {fault}"
         "parou como esperado aos {at} ms: {fault}";
     expected(what) "expected {what}" "esperado: {what}";
-    came(what) "got      {what}" "ocorreu:  {what}";
+    came(what) "got      {what}" "obtido:   {what}";
     at_time(at, what) "at {at} ms {what}" "aos {at} ms, {what}";
-    that_it_runs() "the program to run" "que o programa rodasse";
-    that_it_runs_on() "the program to keep running" "que o programa continuasse";
+    that_it_runs() "the program to run" "o programa em execução";
+    that_it_runs_on() "the program to keep running" "o programa ainda em execução";
     but_ran_on() "but the program kept running" "mas o programa continuou";
     but_accepted() "but the program was accepted" "mas o programa foi aceito";
     unmet(place, from, expected, came)
         "{place} at {from} ms: expected {expected}, got {came}"
-        "{place} aos {from} ms: esperado {expected}, ocorreu {came}";
+        "{place} aos {from} ms: esperado {expected}, obtido {came}";
     unmet_until(unmet, to) "{unmet} (until {to} ms)" "{unmet} (até {to} ms)";
     more(count) "… and {count} more" "… e mais {count}";
     while_loaded(reason)
@@ -142,7 +142,7 @@ unoclp_words::messages! {
         "at {at} a goal was missed: {text} (since {since})"
         "aos {at} uma meta não foi atingida: {text} (desde {since})";
     stopped_in(at, fault)
-        "at {at} the program ended: {fault}"
+        "at {at} the program stopped: {fault}"
         "aos {at} o programa parou: {fault}";
 }
 

@@ -177,12 +177,13 @@ fn english(typical: &Tally, mutants: usize, by_machine: usize) -> String {
     } = typical;
     format!(
         "| typical mistakes for exercises with a machine | programs |\n| --- | --- |\n\
-         | in all | {of} |\n| caught by the cases and by the machine | {both} |\n\
-         | caught by the cases alone | {cases_alone} |\n\
-         | pass the cases that the page shows, and fail on the machine | {not_shown} |\n\
-         | pass the hidden ones too, and fail on the machine | {machine_alone} |\n\n\
-         Of {mutants} wrong programs that `unoclp mutants` makes from the model solutions, {by_machine} pass all cases and fail \
-         on the machine. None passes both.\n"
+         | in total | {of} |\n| caught by the cases and by the machine | {both} |\n\
+         | caught only by the cases | {cases_alone} |\n\
+         | pass the cases that the page shows, but fail on the machine | {not_shown} |\n\
+         | pass all cases, hidden ones included, but fail on the machine | {machine_alone} |\n\n\
+         `unoclp mutants` makes {mutants} wrong programs from the model solutions. Of these, {by_machine} pass all cases but \
+         fail on the machine, and\n\
+         none passes the cases and the machine.\n"
     )
 }
 
@@ -196,12 +197,13 @@ fn portuguese(typical: &Tally, mutants: usize, by_machine: usize) -> String {
     } = typical;
     format!(
         "| erros típicos em exercícios com máquina | programas |\n| --- | --- |\n\
-         | ao todo | {of} |\n| pegos pelos casos e pela máquina | {both} |\n\
+         | total | {of} |\n| pegos pelos casos e pela máquina | {both} |\n\
          | pegos só pelos casos | {cases_alone} |\n\
-         | passam nos casos que a página mostra, e falham na máquina | {not_shown} |\n\
-         | passam também nos ocultos, e falham na máquina | {machine_alone} |\n\n\
-         De {mutants} programas errados que `unoclp mutants` gera a partir das soluções-modelo, {by_machine} passam em todos os casos e \
-         falham na máquina. Nenhum passa nos dois.\n"
+         | passam nos casos que a página mostra, mas falham na máquina | {not_shown} |\n\
+         | passam em todos os casos, inclusive os ocultos, mas falham na máquina | {machine_alone} |\n\n\
+         `unoclp mutants` gera {mutants} programas errados a partir das soluções-modelo. Destes, {by_machine} passam em todos os casos, \
+         mas falham na\n\
+         máquina, e nenhum passa nos casos e na máquina.\n"
     )
 }
 

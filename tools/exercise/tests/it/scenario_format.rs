@@ -37,17 +37,17 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("[[step]]\nat = 0\nset = { I1 = \"any\" }", 5, "I1 must be 0 or 1"),
         ("[[step]]\nat = 0\nexpect = { Q1 = true }", 5, "Q1 must be 0 or 1, or \"any\""),
         ("[[step]]\nat = 0\nexpect = { Q1 = \"all\" }", 5, "Q1 must be 0 or 1, or \"any\""),
-        ("until = 1000000000\n[[step]]\nat = 0", 3, "this would take 1000000001 scans, but all cases of a file together may take 2000000; end it earlier (`until`), or make `scan_ms` longer"),
-        ("names = { Q1 = 1 }\n[[step]]\nat = 0", 3, "write a text as \"…\" or { en = \"…\", pt = \"…\" }, or with only one of the two languages"),
-        ("names = { Q1 = {} }\n[[step]]\nat = 0", 3, "write a text as \"…\" or { en = \"…\", pt = \"…\" }, or with only one of the two languages"),
+        ("until = 1000000000\n[[step]]\nat = 0", 3, "this scenario would take 1000000001 scans, but all cases of a file together may take 2000000; end it earlier (`until`), or increase `scan_ms`"),
+        ("names = { Q1 = 1 }\n[[step]]\nat = 0", 3, "write text as \"…\" or { en = \"…\", pt = \"…\" }, or with only one of the two languages"),
+        ("names = { Q1 = {} }\n[[step]]\nat = 0", 3, "write text as \"…\" or { en = \"…\", pt = \"…\" }, or with only one of the two languages"),
         ("[[step]]\nat = 5\n[[step]]\nat = 4", 6, "the step at 4 ms is not later than the one at 5 ms; put the steps in chronological order"),
         ("[[step]]\nat = 5\n[[step]]\nat = 5", 6, "the step at 5 ms is not later than the one at 5 ms; put the steps in chronological order"),
         ("scan_ms = 7\n[[step]]\nat = 15", 5, "no scan starts at 15 ms; scans start every 7 ms (`scan_ms`)"),
         ("scan_ms = 0\n[[step]]\nat = 0", 3, "`scan_ms` must be 1 or more"),
         ("until = 4\n[[step]]\nat = 5", 3, "`until` comes before the last step, at 5 ms"),
-        ("[[step]]\nat = 5\nuntil = 9", 5, "unknown field `until`, expected one of `at`, `restart`, `set`, `expect`; put keys of the whole file above the first [[step]]"),
+        ("[[step]]\nat = 5\nuntil = 9", 5, "unknown field `until`, expected one of `at`, `restart`, `set`, `expect`; put file-wide keys above the first [[step]]"),
         ("speed = 3", 3, "unknown field `speed`, expected one of `about`, `title`, `board`, `task`, `hints`, `names`, `normally_closed`, `equivalent`, `program`, `plant`, `seeds`, `text`, `given`, `answer_in`, `find`, `start_ms`, `scan_ms`, `within_ms`, `until`, `fault`, `stops`, `step`, `case`"),
-        ("[[case]]\ntitle = { en = \"a\", pt = \"b\" }", 3, "nothing happens; write a [[step]] or the expected `fault`"),
+        ("[[case]]\ntitle = { en = \"a\", pt = \"b\" }", 3, "nothing happens in this scenario; write a [[step]] or the expected `fault`"),
         ("[[case]]\nstep = [{ at = 0 }]", 3, "missing field `title`"),
         ("until = 5\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]", 4, "in a file with [[case]], the steps and `until` belong in the cases; move them there"),
         ("[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 9, expect = { Q1 = 2 } }]", 5, "Q1 must be 0 or 1, or \"any\""),
@@ -59,14 +59,14 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("answer_in = \"st\"\nuntil = 5", 3, "write `given` and `answer_in` together: a program, and the language for the answer"),
         ("given = \"LD I1\\nST Q1\\n\"\nanswer_in = \"cobol\"\nuntil = 5", 4, "`answer_in` names no language; write \"st\", \"scl\", \"iscl\", \"lce\", \"il\", \"xml\" or \"numeric\""),
         ("given = \"LD I9\\n\"\nanswer_in = \"st\"\nuntil = 5", 3, "the program in `given` has errors; `unoclp check` shows them"),
-        ("find = { part = \"k1\", is = \"welded\" }\nuntil = 5", 3, "[find] hides a fault in a machine; name one with `plant`"),
-        ("seeds = [1]\nuntil = 5", 3, "`seeds` are further random seeds of a machine; name one with `plant`"),
+        ("find = { part = \"k1\", is = \"welded\" }\nuntil = 5", 3, "[find] hides a fault; name its machine with `plant`"),
+        ("seeds = [1]\nuntil = 5", 3, "`seeds` are random seeds of a machine; name the machine with `plant`"),
         ("plant = \"m.toml\"\nseeds = [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1]\nuntil = 5", 4, "`seeds` has more than 20 numbers; remove some"),
         ("equivalent = [{ was = \"LD I1\", is = \"\" }]\nuntil = 5", 3, "missing field `why`"),
         ("fault = { number = 24 }\nuntil = 5", 3, "a scenario that expects a `fault` does not run its program; remove `fault`, or the steps and `until`"),
         ("fault = { number = 24 }\n[[step]]\nat = 0", 3, "a scenario that expects a `fault` does not run its program; remove `fault`, or the steps and `until`"),
         ("fault = { number = 99 }", 3, "there is no fault 99; docs/faults.md lists them"),
-        ("fault = { number = 24, line = 0 }", 3, "lines count from 1; omit `line` if the fault has no line"),
+        ("fault = { number = 24, line = 0 }", 3, "count lines from 1; omit `line` if the fault has no line"),
         ("fault = { number = 24, code = 1 }", 3, "unknown field `code`, expected `number` or `line`"),
         ("[[step]]\nat = 0\nset = { A5 = 1 }", 5, "A5 cannot be set; set I1 to I8, A0 to A4, M1 to M64 or D1 to D98"),
         ("[[step]]\nat = 0\nset = { P1 = 1 }", 5, "P1 cannot be set; set I1 to I8, A0 to A4, M1 to M64 or D1 to D98"),
@@ -104,10 +104,10 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
 fn what_is_wrong_with_the_whole_file_is_told_without_a_line() {
     #[rustfmt::skip]
     let cases = [
-        ("about = \"\"\n[[step]]\nat = 0", "it names no program; give a file: `sim FILE --scenario S.toml`"),
+        ("about = \"\"\n[[step]]\nat = 0", "the scenario names no program; give a file: `sim FILE --scenario S.toml`"),
         ("text = \"0\"\nuntil = 5", "missing field `about`"),
-        ("about = \"\"\ntext = \"0\"\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]", "it has 2 cases, but only one can run here"),
-        (HEAD, "nothing happens; write a [[step]] or the expected `fault`"),
+        ("about = \"\"\ntext = \"0\"\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]", "the scenario has 2 cases, but only one can run here"),
+        (HEAD, "nothing happens in this scenario; write a [[step]] or the expected `fault`"),
     ];
     for (index, (source, message)) in cases.into_iter().enumerate() {
         let path = file(&format!("whole-{index}.toml"), source);
@@ -247,7 +247,7 @@ fn a_run_may_end_in_a_fault() {
         let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
         report.verdict.to_string()
     };
-    let fault = "fault 75, line 4: too many jumps back in one scan (NC-19)";
+    let fault = "fault 75, line 4: too many backward jumps in one scan (NC-19)";
     assert_eq!(
         told("stops.toml", "stops = { at = 3, number = 75, line = 4 }"),
         format!("PASS: stopped as expected at 3 ms: {fault}")
@@ -313,13 +313,13 @@ fn what_is_wrong_is_told_in_portuguese() {
     let cases = [
         (step("expect = { Q5 = 1 }"), ":5: um teste não pode verificar Q5; use Q1 a Q4, M1 a M64, D1 a D98, P1 ou P4"),
         (step("expect = { Q1 = 2 }"), ":5: Q1 deve ser 0 ou 1, ou \"any\""),
-        (step("until = 9"), ":5: não existe a chave `until` aqui; chaves conhecidas: `at`, `restart`, `set`, `expect`; ponha as chaves do arquivo inteiro acima do primeiro [[step]]"),
+        (step("until = 9"), ":5: não existe a chave `until` aqui; chaves conhecidas: `at`, `restart`, `set`, `expect`; ponha as chaves gerais do arquivo acima do primeiro [[step]]"),
         (step("restart = 1"), ":5: este valor não é do tipo que a chave pede"),
         (format!("{HEAD}board = \"due\""), ":3: não existe a placa \"due\"; placas conhecidas: uno, nano, mega, pc"),
         (format!("{HEAD}[[step]]"), ":3: falta a chave `at`"),
         (format!("{HEAD}about = \"\""), ":3: esta chave aparece duas vezes"),
         (format!("{HEAD}[["), ":3: isto não é TOML válido; confira aspas, vírgulas e colchetes"),
-        ("about = \"\"\ntext = 5".to_owned(), ":2: escreva `text` como um texto, ou como uma lista de textos e { repeat = 3, text = \"…\" }"),
+        ("about = \"\"\ntext = 5".to_owned(), ":2: escreva `text` como uma string, ou como uma lista de strings e { repeat = 3, text = \"…\" }"),
     ];
     for (index, (source, message)) in cases.into_iter().enumerate() {
         let path = file(&format!("errado-{index}.toml"), &source);
@@ -340,7 +340,7 @@ fn a_report_is_told_in_portuguese() {
          0   ·   ·   ·   ·     ·   ·   ·   ·
 
 FALHOU
-  Q1 aos 1 ms: esperado 1, ocorreu 0 (até 3 ms)";
+  Q1 aos 1 ms: esperado 1, obtido 0 (até 3 ms)";
     let told = report.text(Lang::Pt);
     assert!(told.ends_with(expected), "{told}");
     let scenario = load("recusa.toml", &format!("{HEAD}fault = {{ number = 24 }}\n"));
@@ -425,7 +425,7 @@ fn a_scenario_may_name_no_program_and_then_needs_one() {
         .unwrap_err()
         .to_string();
     assert!(
-        error.contains("it names no program; give a file"),
+        error.contains("the scenario names no program; give a file"),
         "{error}"
     );
     assert_eq!(

@@ -10,12 +10,12 @@ const SHORT: i32 = 900_000;
 pub(crate) mod fuse {
     use super::*;
     kind! {
-        "fuse" Electric "A fuse: it blows at once in a short circuit, and after a while under an overload" "Um fusível: queima em um curto-circuito, e com o tempo se a corrente é alta demais"
+        "fuse" Electric "A fuse: it blows at once on a short circuit, and after some time on an overload" "Um fusível: queima na hora em um curto-circuito e, depois de algum tempo, em uma sobrecarga"
         [60, 80];
         fields { rated: Form::Number(Unit::Ma, 100, 100_000, 10_000), "the current it can carry continuously" "a corrente que ele suporta continuamente"; }
         values {
             blown: DAMAGE, "whether it has blown" "se queimou";
-            current: number(Unit::Ma, 0, 1_000_000), "the current through it" "a corrente nele";
+            current: number(Unit::Ma, 0, 1_000_000), "the current through it" "a corrente que passa por ele";
             heat: inner(0, 1_000_000), "how hot it is" "quanto esquentou";
             drawn: inner(0, 1_000_000), "the current drawn in this millisecond" "a corrente consumida neste milissegundo";
         }
@@ -40,18 +40,18 @@ pub(crate) mod fuse {
 pub(crate) mod contactor {
     use super::*;
     kind! {
-        "contactor" Electric "A contactor: it closes and opens a while after its coil is driven" "Um contator: fecha e abre um pouco depois de comandada a bobina"
+        "contactor" Electric "A contactor, which takes some time to close and to open" "Um contator, que leva algum tempo para fechar e para abrir"
         [80, 80];
         fields {
             by: Form::Drive, "what drives its coil" "o que comanda a bobina";
-            pull_in: Form::Number(Unit::Ms, 0, 500, 20), "how long it takes to close" "quanto tempo demora para fechar";
-            drop_out: Form::Number(Unit::Ms, 0, 500, 30), "how long it takes to open" "quanto tempo demora para abrir";
+            pull_in: Form::Number(Unit::Ms, 0, 500, 20), "how long it takes to close" "quanto tempo leva para fechar";
+            drop_out: Form::Number(Unit::Ms, 0, 500, 30), "how long it takes to open" "quanto tempo leva para abrir";
             aux: Form::Sense, "the input that its auxiliary contact switches" "a entrada que o contato auxiliar aciona";
         }
         values {
             closed: FLAG, "whether its contacts are closed" "se os contatos estão fechados";
             coil: FLAG, "whether its coil is driven" "se a bobina está energizada";
-            timer: inner(0, 2000), "how long it has moved" "há quanto tempo se move";
+            timer: inner(0, 2000), "how long it has been moving" "há quanto tempo se move";
         }
         faults { Welded Open Slow Stuck }
     }
@@ -77,7 +77,7 @@ pub(crate) mod contactor {
 pub(crate) mod overload {
     use super::*;
     kind! {
-        "overload" Electric "A thermal overload relay: it trips when a motor draws too much current for a while" "Um relé térmico: desarma quando um motor puxa demais por um tempo"
+        "overload" Electric "A thermal overload relay: it trips when its motor draws too much current for some time" "Um relé térmico: desarma quando a corrente do motor fica alta demais por algum tempo"
         [80, 80];
         fields {
             rated: Form::Number(Unit::Ma, 100, 100_000, 4000), "the current it can carry continuously" "a corrente que ele suporta continuamente";
@@ -85,9 +85,9 @@ pub(crate) mod overload {
         }
         values {
             tripped: FLAG, "whether it has tripped" "se desarmou";
-            reset: HAND, "whether somebody presses its reset" "se alguém aperta o rearme";
-            heat: number(Unit::Permille, 0, 1000), "how near it is to tripping" "quanto falta para desarmar";
-            current: number(Unit::Ma, 0, 1_000_000), "the current through it" "a corrente nele";
+            reset: HAND, "whether its reset button is pressed" "se o botão de rearme está apertado";
+            heat: number(Unit::Permille, 0, 1000), "its accumulated heat; it trips at 1000" "o calor acumulado; desarma em 1000";
+            current: number(Unit::Ma, 0, 1_000_000), "the current through it" "a corrente que passa por ele";
             warmth: inner(0, 2_000_000), "its heat in small steps" "o calor em passos pequenos";
             drawn: inner(0, 1_000_000), "the current drawn in this millisecond" "a corrente consumida neste milissegundo";
         }
@@ -118,27 +118,27 @@ pub(crate) mod motor {
     use super::*;
     use crate::parts::electric::{contactor, fuse, overload};
     kind! {
-        "motor" Electric "A three-phase motor with its inertia: run by one contactor, by two for both directions, or by three as star and delta" "Um motor trifásico com a sua inércia: com um contator, com dois para os dois sentidos, ou com três em estrela e triângulo"
+        "motor" Electric "A three-phase motor with inertia, for direct, reversing or star-delta starting" "Um motor trifásico com inércia, para partida direta, com reversão ou estrela-triângulo"
         [80, 100];
         fields {
-            line: Form::Part(&["contactor"]), "the contactor of its line" "o contator da linha";
-            reverse: Form::MayPart(&["contactor"]), "the contactor that swaps two phases" "o contator que troca duas fases";
-            star: Form::MayPart(&["contactor"]), "the contactor of the star" "o contator da estrela";
-            delta: Form::MayPart(&["contactor"]), "the contactor of the delta" "o contator do triângulo";
-            fuse: Form::MayPart(&["fuse"]), "the fuse before it" "o fusível antes dele";
-            overload: Form::MayPart(&["overload"]), "the overload relay before it" "o relé térmico antes dele";
+            line: Form::Part(&["contactor"]), "its line contactor" "o contator de linha";
+            reverse: Form::MayPart(&["contactor"]), "its reversing contactor, which swaps two phases" "o contator de reversão, que troca duas fases";
+            star: Form::MayPart(&["contactor"]), "its star contactor" "o contator de estrela";
+            delta: Form::MayPart(&["contactor"]), "its delta contactor" "o contator de triângulo";
+            fuse: Form::MayPart(&["fuse"]), "its fuse" "o fusível dele";
+            overload: Form::MayPart(&["overload"]), "its overload relay" "o relé térmico dele";
             rated: Form::Number(Unit::Ma, 100, 50_000, 4000), "its current at full speed" "a corrente dele em rotação plena";
             full: Form::Number(Unit::Rpm, 100, 3600, 1740), "its full speed" "a rotação plena";
-            run_up: Form::Number(Unit::Ms, 50, 60_000, 1500), "how long it takes to reach full speed" "quanto tempo demora até a rotação plena";
-            run_down: Form::Number(Unit::Ms, 50, 60_000, 3000), "how long it takes to stop" "quanto tempo demora até parar";
+            run_up: Form::Number(Unit::Ms, 50, 60_000, 1500), "how long it takes to reach full speed" "quanto tempo leva para atingir a rotação plena";
+            run_down: Form::Number(Unit::Ms, 50, 60_000, 3000), "how long it takes to stop" "quanto tempo leva para parar";
         }
         values {
-            runs: FLAG, "whether it turns at nine tenths of its speed or more" "se gira com nove décimos da rotação ou mais";
-            turns: FLAG, "whether it turns at all" "se gira";
-            speed: number(Unit::Rpm, -3600, 3600), "its speed; below 0 backwards" "a rotação; abaixo de 0 para trás";
+            runs: FLAG, "whether it turns at about 90% of its full speed or more" "se gira a cerca de 90% da rotação plena ou mais";
+            turns: FLAG, "whether it turns at all" "se está girando";
+            speed: number(Unit::Rpm, -3600, 3600), "its speed, negative in reverse" "a rotação, negativa no sentido reverso";
             current: number(Unit::Ma, 0, 1_000_000), "its current" "a corrente dele";
             milli: inner(-3_600_000, 3_600_000), "its speed in thousandths" "a rotação em milésimos";
-            angle: inner(0, 359_999), "where its shaft stands" "onde está o eixo";
+            angle: inner(0, 359_999), "the angle of its shaft" "onde está o eixo";
         }
         faults { Jammed }
     }

@@ -9,18 +9,18 @@ const TANKS: &[&str] = &["tank"];
 pub(crate) mod tank {
     use super::*;
     kind! {
-        "tank" Fluid "A tank: it overflows when it is full, and that stays until the machine is reset" "Um tanque: transborda quando enche, e isso fica até reiniciar a máquina"
+        "tank" Fluid "A tank that overflows when it is full" "Um tanque que transborda quando está cheio"
         [120, 160];
         fields {
-            holds: Form::Number(Unit::Ml, 100, 2_000_000, 100_000), "how much it holds" "quanto cabe nele";
-            first: Form::Number(Unit::Permille, 0, 1000, 0), "how full it is at first" "quanto tem no começo";
+            holds: Form::Number(Unit::Ml, 100, 2_000_000, 100_000), "its capacity" "a capacidade dele";
+            first: Form::Number(Unit::Permille, 0, 1000, 0), "how full it is at the start" "quanto está cheio no começo";
         }
         values {
             level: Slot { first: Limit::Of("first"), ..SHARE }, "how full it is" "quanto está cheio";
             overflowed: DAMAGE, "whether it has overflowed" "se transbordou";
-            spilt: number(Unit::Ml, 0, 100_000_000), "how much is on the floor" "quanto está no chão";
-            mixed: SHARE, "how well it is mixed" "quanto está misturado";
-            empty: FLAG, "whether nothing is left in it" "se não resta nada nele";
+            spilt: number(Unit::Ml, 0, 100_000_000), "how much has spilt on the floor" "quanto caiu no chão";
+            mixed: SHARE, "how well its contents are mixed" "quanto o conteúdo está misturado";
+            empty: FLAG, "whether it is empty" "se está vazio";
             volume: Slot { high: Limit::Thousand("holds"), ..inner(0, 0) }, "what is in it" "o que tem dentro";
             drops: inner(0, 999), "what has been spilt, in thousandths" "o que transbordou, em milésimos";
             begun: inner(0, 1), "whether it has been filled for the first time" "se já recebeu o conteúdo inicial";
@@ -44,7 +44,7 @@ pub(crate) mod tank {
         }
     }
 
-    /// So much more comes into a tank, µl; what does not fit is spilt.
+    /// Adds this much to a tank, µl; what does not fit is spilt.
     pub(crate) fn pour(m: &mut Moment<'_>, tank: usize, amount: i32) {
         let holds = m.number_of(tank, F::holds).saturating_mul(1000);
         let volume = m.of(tank, V::volume);
@@ -63,7 +63,7 @@ pub(crate) mod tank {
         }
     }
 
-    /// As much of this, µl, as a tank has goes out of it.
+    /// Takes this much out of a tank, µl, or as much as it has.
     pub(crate) fn draw(m: &mut Moment<'_>, tank: usize, amount: i32) -> i32 {
         let volume = m.of(tank, V::volume);
         let gone = amount.min(volume);
@@ -75,19 +75,19 @@ pub(crate) mod tank {
 pub(crate) mod valve {
     use super::*;
     kind! {
-        "valve" Fluid "A valve between two tanks; without `from` it is fed from the mains, without `to` it leads to the drain" "Uma válvula entre dois tanques; sem `from` ela recebe da rede, sem `to` ela leva ao ralo"
+        "valve" Fluid "A valve between two tanks; without `from`, the mains feeds it, and without `to`, it empties into the drain" "Uma válvula entre dois tanques; sem `from`, a rede a alimenta, e sem `to`, ela descarrega no ralo"
         [60, 60];
         fields {
             by: Form::Duty, "what opens it" "o que a abre";
-            from: Form::MayPart(TANKS), "the tank before it" "o tanque antes dela";
-            to: Form::MayPart(TANKS), "the tank after it" "o tanque depois dela";
-            flow: Form::Number(Unit::MlPerS, 1, 100_000, 1000), "what flows when it is open" "a vazão dela aberta";
-            travel: Form::Number(Unit::Ms, 1, 60_000, 300), "how long it takes to open" "quanto tempo demora para abrir";
+            from: Form::MayPart(TANKS), "the tank upstream" "o tanque a montante";
+            to: Form::MayPart(TANKS), "the tank downstream" "o tanque a jusante";
+            flow: Form::Number(Unit::MlPerS, 1, 100_000, 1000), "its flow when fully open" "a vazão com ela toda aberta";
+            travel: Form::Number(Unit::Ms, 1, 60_000, 300), "how long it takes to open" "quanto tempo leva para abrir";
         }
         values {
             open: FLAG, "whether it is open at all" "se está aberta";
-            position: SHARE, "how far it is open" "quanto está aberta";
-            flow: number(Unit::MlPerS, 0, 100_000), "what flows" "a vazão";
+            position: SHARE, "how far it is open" "quanto ela está aberta";
+            flow: number(Unit::MlPerS, 0, 100_000), "the flow through it" "a vazão";
             turned: HAND, "whether somebody holds it open by hand" "se alguém a mantém aberta à mão";
             fine: inner(0, 1_000_000), "its position in small steps" "a posição em passos pequenos";
         }
@@ -123,21 +123,21 @@ pub(crate) mod valve {
 pub(crate) mod pump {
     use super::*;
     kind! {
-        "pump" Fluid "A pump; it breaks when it runs dry for too long" "Uma bomba; quebra se roda a seco por tempo demais"
+        "pump" Fluid "A pump that breaks if it runs dry for too long" "Uma bomba que quebra se trabalha a seco por tempo demais"
         [80, 70];
         fields {
             by: Form::Duty, "what drives it" "o que a aciona";
             from: Form::Part(TANKS), "the tank that it empties" "o tanque que ela esvazia";
             to: Form::MayPart(TANKS), "the tank that it fills" "o tanque que ela enche";
-            flow: Form::Number(Unit::MlPerS, 1, 100_000, 1000), "what it moves at full speed" "o que move em rotação plena";
-            bears: Form::Number(Unit::Ms, 100, 60_000, 3000), "how long it may run dry" "quanto tempo suporta rodar a seco";
+            flow: Form::Number(Unit::MlPerS, 1, 100_000, 1000), "its flow at full speed" "a vazão em rotação plena";
+            bears: Form::Number(Unit::Ms, 100, 60_000, 3000), "how long it may run dry" "por quanto tempo ela suporta trabalhar a seco";
         }
         values {
             runs: FLAG, "whether it runs" "se está ligada";
-            dry: FLAG, "whether it runs dry" "se roda a seco";
+            dry: FLAG, "whether it runs dry" "se está trabalhando a seco";
             broken: DAMAGE, "whether it has broken" "se quebrou";
-            flow: number(Unit::MlPerS, 0, 100_000), "what flows" "a vazão";
-            since: inner(0, 60_000), "how long it has run dry" "há quanto tempo roda a seco";
+            flow: number(Unit::MlPerS, 0, 100_000), "the flow through it" "a vazão";
+            since: inner(0, 60_000), "how long it has run dry" "há quanto tempo trabalha a seco";
             angle: inner(0, 359), "where its wheel stands" "onde está o rotor";
         }
         faults { Jammed Open Welded }
@@ -179,11 +179,11 @@ pub(crate) mod stirrer {
         fields {
             by: Form::Drive, "what drives it" "o que o aciona";
             within: Form::Part(TANKS), "its tank" "o tanque dele";
-            takes: Form::Number(Unit::Ms, 100, 600_000, 5000), "how long it takes to mix" "quanto tempo demora para misturar";
+            takes: Form::Number(Unit::Ms, 100, 600_000, 5000), "how long it takes to mix" "quanto tempo leva para misturar";
         }
         values {
             runs: FLAG, "whether it runs" "se está ligado";
-            fine: inner(0, 1_000_000), "what it has mixed since, in small steps" "o que misturou, em passos pequenos";
+            fine: inner(0, 1_000_000), "what it has mixed, in small steps" "o que misturou, em passos pequenos";
             angle: inner(0, 359), "where its blades stand" "onde estão as pás";
         }
         faults { Jammed Open }
@@ -215,7 +215,7 @@ pub(crate) mod float {
         [90, 30];
         fields {
             of: Form::Part(TANKS), "its tank" "o tanque dela";
-            height: Form::Number(Unit::Permille, 0, 1000, 500), "its height in the tank" "onde fica";
+            height: Form::Number(Unit::Permille, 0, 1000, 500), "its height in the tank" "a altura dela no tanque";
             to: Form::Sense, "the input that it switches" "a entrada que ela aciona";
         }
         values { up: FLAG, "whether the level is above it" "se o nível está acima dela"; }
@@ -234,14 +234,14 @@ pub(crate) mod float {
 pub(crate) mod level {
     use super::*;
     kind! {
-        "level" Fluid "A level transmitter, with 0 to 10 V or 4 to 20 mA" "Um transmissor de nível, de 0 a 10 V ou de 4 a 20 mA"
+        "level" Fluid "A level transmitter with an output of 0 to 10 V or 4 to 20 mA" "Um transmissor de nível com saída de 0 a 10 V ou de 4 a 20 mA"
         [50, 50];
         fields {
             of: Form::Part(TANKS), "its tank" "o tanque dele";
-            to: Form::Reading, "the analogue input that it sets" "a entrada analógica em que ele está ligado";
-            signal: Form::Choice(&["0-10V", "4-20mA"]), "its signal" "o sinal dele";
+            to: Form::Reading, "the analogue input that it sets" "a entrada analógica à qual ele está ligado";
+            signal: Form::Choice(&["0-10V", "4-20mA"]), "its output signal" "o sinal de saída dele";
         }
-        values { reading: number(Unit::Count, 0, 1023), "what the input reads" "o que a entrada lê"; }
+        values { reading: number(Unit::Count, 0, 1023), "the reading of its input" "a leitura da entrada"; }
         faults { Stuck Open Short }
     }
     pub(crate) fn step(m: &mut Moment<'_>) {

@@ -11,17 +11,17 @@ const PIECES: usize = 16;
 pub(crate) mod oven {
     use super::*;
     kind! {
-        "oven" Heat "An oven with a lag and a dead time" "Um forno com atraso e tempo morto"
+        "oven" Heat "An oven with thermal lag and dead time" "Um forno com inércia térmica e tempo morto"
         [140, 120];
         fields {
-            outside: Form::Number(Unit::MilliC, -20_000, 50_000, 25_000), "the temperature outside" "a temperatura de fora";
+            outside: Form::Number(Unit::MilliC, -20_000, 50_000, 25_000), "the ambient temperature" "a temperatura ambiente";
             lag: Form::Number(Unit::Ms, 1000, 3_600_000, 60_000), "its time constant" "a constante de tempo";
-            dead: Form::Number(Unit::Ms, 0, 60_000, 2000), "the dead time before heat has an effect" "quanto o calor demora a fazer efeito";
+            dead: Form::Number(Unit::Ms, 0, 60_000, 2000), "the dead time before heat has an effect" "o tempo morto até o calor fazer efeito";
             bears: Form::Number(Unit::MilliC, 30_000, 400_000, 300_000), "the temperature that damages it" "a temperatura que o danifica";
         }
         values {
             temperature: Slot { first: Limit::Of("outside"), ..number(Unit::MilliC, -50_000, 450_000) }, "its temperature in thousandths of a degree" "a temperatura em milésimos de grau";
-            burnt: DAMAGE, "whether it has been too hot" "se esquentou demais";
+            burnt: DAMAGE, "whether it has overheated" "se superaqueceu";
             fine: inner(-50_000_000, 450_000_000), "its temperature in millionths" "a temperatura em milionésimos";
             power: inner(0, 1_000_000), "how far it would warm up with what it is given now" "quanto esquentaria com o que recebe agora";
             loss: inner(0, 9), "how much more it loses" "quanto perde a mais";
@@ -70,14 +70,14 @@ pub(crate) mod oven {
 pub(crate) mod heater {
     use super::*;
     kind! {
-        "heater" Heat "A heater, driven by an output or by its PWM" "Uma resistência, acionada por uma saída ou pelo PWM dela"
+        "heater" Heat "A heater in an oven" "Uma resistência de aquecimento em um forno"
         [80, 50];
         fields {
             by: Form::Duty, "what drives it" "o que a aciona";
             within: Form::Part(OVENS), "its oven" "o forno dela";
-            warms: Form::Number(Unit::MilliC, 1000, 500_000, 250_000), "how far it finally warms the oven" "quanto aquece o forno no total";
+            warms: Form::Number(Unit::MilliC, 1000, 500_000, 250_000), "the final rise in temperature at full power" "a elevação final da temperatura em plena potência";
         }
-        values { power: SHARE, "how much of its power it gives" "quanto da potência dá"; }
+        values { power: SHARE, "its power, as a share of full power" "a fração da potência plena que ela fornece"; }
         faults { Open Welded }
     }
     pub(crate) fn step(m: &mut Moment<'_>) {
@@ -99,7 +99,7 @@ pub(crate) mod heater {
 pub(crate) mod fan {
     use super::*;
     kind! {
-        "fan" Heat "A fan that cools an oven" "Um ventilador que esfria um forno"
+        "fan" Heat "A fan that cools an oven" "Um ventilador que resfria um forno"
         [60, 60];
         fields {
             by: Form::Drive, "what drives it" "o que o aciona";
@@ -126,14 +126,14 @@ pub(crate) mod fan {
 pub(crate) mod thermometer {
     use super::*;
     kind! {
-        "thermometer" Heat "A thermometer with its transmitter" "Um termômetro com o seu transmissor"
+        "thermometer" Heat "A temperature sensor with a transmitter" "Um sensor de temperatura com transmissor"
         [50, 50];
         fields {
             of: Form::Part(OVENS), "its oven" "o forno dele";
-            to: Form::Reading, "the analogue input that it sets" "a entrada analógica em que ele está ligado";
-            span: Form::Number(Unit::MilliC, 10_000, 400_000, 400_000), "the temperature at which the input reads 1023; it reads 0 at 0 °C" "a temperatura em que a entrada lê 1023; em 0 °C ela lê 0";
+            to: Form::Reading, "the analogue input that it sets" "a entrada analógica à qual ele está ligado";
+            span: Form::Number(Unit::MilliC, 10_000, 400_000, 400_000), "the temperature at which the input reads 1023; it reads 0 at 0 °C" "a temperatura em que a entrada lê 1023; a 0 °C ela lê 0";
         }
-        values { reading: number(Unit::Count, 0, 1023), "what the input reads" "o que a entrada lê"; }
+        values { reading: number(Unit::Count, 0, 1023), "the reading of its input" "a leitura da entrada"; }
         faults { Stuck Open Short }
     }
     pub(crate) fn step(m: &mut Moment<'_>) {

@@ -15,21 +15,21 @@ fn pace(m: &Moment<'_>, takes: i32) -> i32 {
 pub(crate) mod cylinder {
     use super::*;
     kind! {
-        "cylinder" Motion "A pneumatic cylinder: without `retract` a spring draws it back" "Um cilindro pneumático: sem `retract` uma mola o recolhe"
+        "cylinder" Motion "A pneumatic cylinder; without `retract`, a spring retracts it" "Um cilindro pneumático; sem `retract`, uma mola o recua"
         [180, 50];
         fields {
-            extend: Form::Drive, "the coil that extends it" "a bobina que o avança";
-            retract: Form::MayDrive, "the coil that retracts it" "a bobina que o recua";
-            takes: Form::Number(Unit::Ms, 50, 60_000, 800), "how long the full stroke takes" "quanto tempo demora o curso todo";
-            is_in: Form::Sense, "the input of the switch at its inner end" "a entrada do fim de curso recuado";
-            is_out: Form::Sense, "the input of the switch at its outer end" "a entrada do fim de curso avançado";
+            extend: Form::Drive, "the solenoid that extends it" "o solenoide que o avança";
+            retract: Form::MayDrive, "the solenoid that retracts it" "o solenoide que o recua";
+            takes: Form::Number(Unit::Ms, 50, 60_000, 800), "how long the full stroke takes" "quanto tempo leva o curso completo";
+            is_in: Form::Sense, "the input of its retracted limit switch" "a entrada do fim de curso de recuo";
+            is_out: Form::Sense, "the input of its extended limit switch" "a entrada do fim de curso de avanço";
         }
         values {
             position: SHARE, "how far it is extended" "quanto está avançado";
-            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully retracted" "se está todo recuado";
-            out: FLAG, "whether it is fully extended" "se está todo avançado";
-            moves: FLAG, "whether it moves" "se está em movimento";
-            hand_in: HAND, "whether somebody has a hand in its way" "se alguém tem a mão no caminho";
+            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully retracted" "se está totalmente recuado";
+            out: FLAG, "whether it is fully extended" "se está totalmente avançado";
+            moves: FLAG, "whether it is moving" "se está em movimento";
+            hand_in: HAND, "whether somebody has a hand in its way" "se alguém está com a mão no caminho";
             hurt: DAMAGE, "whether it has hit that hand" "se atingiu essa mão";
             fine: FINE, "its position in small steps" "a posição em passos pequenos";
             valve: inner(0, 1), "where its valve stands" "como está a válvula";
@@ -68,20 +68,20 @@ pub(crate) mod cylinder {
 pub(crate) mod gate {
     use super::*;
     kind! {
-        "gate" Motion "A barrier that is raised and lowered" "Uma cancela que sobe e desce"
+        "gate" Motion "A barrier gate" "Uma cancela que sobe e desce"
         [180, 110];
         fields {
-            raise: Form::Drive, "what raises it" "o que a sobe";
-            lower: Form::MayDrive, "what lowers it; if this is left out, the barrier falls by itself" "o que a desce; se isto falta, a cancela desce sozinha";
-            takes: Form::Number(Unit::Ms, 100, 60_000, 2000), "how long it takes" "quanto tempo demora";
-            is_up: Form::Sense, "the input of the switch above" "a entrada do fim de curso de cima";
-            is_down: Form::Sense, "the input of the switch below" "a entrada do fim de curso de baixo";
+            raise: Form::Drive, "what raises it" "o que a levanta";
+            lower: Form::MayDrive, "what lowers it; without this key, the gate falls by itself" "o que a abaixa; sem esta chave, a cancela desce sozinha";
+            takes: Form::Number(Unit::Ms, 100, 60_000, 2000), "how long it takes to rise or to fall" "quanto tempo leva para subir ou descer";
+            is_up: Form::Sense, "the input of its upper limit switch" "a entrada do fim de curso de cima";
+            is_down: Form::Sense, "the input of its lower limit switch" "a entrada do fim de curso de baixo";
         }
         values {
-            position: SHARE, "how far it is up" "quanto está levantada";
-            up: FLAG, "whether it is fully up" "se está toda levantada";
-            down: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully down" "se está toda abaixada";
-            lowers: FLAG, "whether it goes down" "se está descendo";
+            position: SHARE, "how far it is raised" "quanto está levantada";
+            up: FLAG, "whether it is fully raised" "se está totalmente levantada";
+            down: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully lowered" "se está totalmente abaixada";
+            lowers: FLAG, "whether it is moving down" "se está descendo";
             strained: DAMAGE, "whether its motor has pushed against the end of its travel for 3 s" "se o motor forçou a cancela contra o batente por 3 s";
             fine: FINE, "its position in small steps" "a posição em passos pequenos";
             push: inner(0, 10_000), "how long it has pushed against the end of its travel" "há quanto tempo força a cancela contra o batente";
@@ -119,22 +119,22 @@ pub(crate) mod gate {
 pub(crate) mod door {
     use super::*;
     kind! {
-        "door" Motion "A door that a motor opens and closes; somebody may stand in it" "Uma porta que um motor abre e fecha; alguém pode estar no vão"
+        "door" Motion "A motor-driven door; somebody may stand in the doorway" "Uma porta motorizada; pode haver alguém no vão"
         [160, 130];
         fields {
             open: Form::Drive, "what opens it" "o que a abre";
-            close: Form::MayDrive, "what closes it; if this is left out, the door closes by itself" "o que a fecha; se isto falta, a porta fecha sozinha";
-            takes: Form::Number(Unit::Ms, 100, 120_000, 6000), "how long it takes" "quanto tempo demora";
-            is_open: Form::Sense, "the input of the switch at the open end" "a entrada do fim de curso aberto";
-            is_closed: Form::Sense, "the input of the switch at the closed end" "a entrada do fim de curso fechado";
-            beam: Form::Sense, "the input of the light barrier in it" "a entrada da barreira de luz no vão";
+            close: Form::MayDrive, "what closes it; without this key, the door closes by itself" "o que a fecha; sem esta chave, a porta fecha sozinha";
+            takes: Form::Number(Unit::Ms, 100, 120_000, 6000), "how long it takes to open or to close" "quanto tempo leva para abrir ou fechar";
+            is_open: Form::Sense, "the input of the limit switch for the open door" "a entrada do fim de curso da porta aberta";
+            is_closed: Form::Sense, "the input of the limit switch for the closed door" "a entrada do fim de curso da porta fechada";
+            beam: Form::Sense, "the input of its light barrier" "a entrada da barreira óptica no vão";
         }
         values {
             position: SHARE, "how far it is open" "quanto está aberta";
-            opened: FLAG, "whether it is fully open" "se está toda aberta";
-            shut: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully shut" "se está toda fechada";
+            opened: FLAG, "whether it is fully open" "se está totalmente aberta";
+            shut: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully closed" "se está totalmente fechada";
             closes: FLAG, "whether it is closing" "se está fechando";
-            obstacle: HAND, "whether somebody stands in it" "se alguém está no vão";
+            obstacle: HAND, "whether somebody stands in the doorway" "se alguém está no vão";
             crushed: DAMAGE, "whether it has crushed somebody" "se esmagou quem estava ali";
             strained: DAMAGE, "whether its motor has pushed against the end of its travel for 3 s" "se o motor forçou a porta contra o batente por 3 s";
             fine: FINE, "its position in small steps" "a posição em passos pequenos";
@@ -180,24 +180,24 @@ pub(crate) mod door {
 pub(crate) mod elevator {
     use super::*;
     kind! {
-        "elevator" Motion "An elevator car in its shaft of three or four floors" "A cabine de um elevador no poço de três ou quatro andares"
+        "elevator" Motion "The car of an elevator with three or four floors" "A cabine de um elevador de três ou quatro andares"
         [110, 330];
         fields {
-            up: Form::Drive, "what moves it up" "o que a sobe";
-            down: Form::Drive, "what moves it down" "o que a desce";
+            up: Form::Drive, "what moves it up" "o que a faz subir";
+            down: Form::Drive, "what moves it down" "o que a faz descer";
             door: Form::Part(&["door"]), "its door" "a porta dela";
-            floors: Form::Number(Unit::Count, 3, 4, 3), "how many floors it has" "quantos andares tem";
-            takes: Form::Number(Unit::Ms, 500, 60_000, 4000), "how long it takes from floor to floor" "quanto tempo demora de andar a andar";
-            at_1: Form::Sense, "the input of the switch at floor 1" "a entrada do sensor do 1.º andar";
-            at_2: Form::Sense, "the input of the switch at floor 2" "a entrada do sensor do 2.º andar";
-            at_3: Form::Sense, "the input of the switch at floor 3" "a entrada do sensor do 3.º andar";
-            at_4: Form::Sense, "the input of the switch at floor 4" "a entrada do sensor do 4.º andar";
+            floors: Form::Number(Unit::Count, 3, 4, 3), "the number of floors" "o número de andares";
+            takes: Form::Number(Unit::Ms, 500, 60_000, 4000), "how long it takes from one floor to the next" "quanto tempo leva de um andar ao seguinte";
+            at_1: Form::Sense, "the input of the sensor at floor 1" "a entrada do sensor do 1.º andar";
+            at_2: Form::Sense, "the input of the sensor at floor 2" "a entrada do sensor do 2.º andar";
+            at_3: Form::Sense, "the input of the sensor at floor 3" "a entrada do sensor do 3.º andar";
+            at_4: Form::Sense, "the input of the sensor at floor 4" "a entrada do sensor do 4.º andar";
         }
         values {
-            position: number(Unit::Permille, 0, 3000), "its height: 0, 100%, 200% and so on are the floors" "a altura: 0, 100%, 200% e assim por diante são os andares";
-            floor: number(Unit::Count, 0, 4), "the floor where it is, 0 between two floors" "o andar em que está, 0 entre dois";
-            moves: FLAG, "whether it moves" "se está em movimento";
-            crashed: DAMAGE, "whether it has run into an end of the shaft" "se bateu em um fim do poço";
+            position: number(Unit::Permille, 0, 3000), "its height; floor 1 is at 0%, floor 2 at 100%, and so on" "a altura; o 1.º andar fica em 0%, o 2.º em 100%, e assim por diante";
+            floor: number(Unit::Count, 0, 4), "the floor where it is; 0 between two floors" "o andar em que está; 0 entre dois andares";
+            moves: FLAG, "whether it is moving" "se está em movimento";
+            crashed: DAMAGE, "whether it has run into an end of the shaft" "se bateu em uma extremidade do poço";
             fine: inner(0, 3_000_000), "its height in small steps" "a altura em passos pequenos";
             push: inner(0, 10_000), "how long it has pushed against the end of its travel" "há quanto tempo força um fim do poço";
         }
@@ -238,7 +238,7 @@ pub(crate) mod call {
     use super::*;
     use crate::parts::motion::{door, elevator};
     kind! {
-        "call" Motion "The call button of a floor, and the people who wait there" "O botão de um andar, e quem espera ali pelo elevador"
+        "call" Motion "The call button on a floor, and the people waiting there" "O botão de chamada de um andar e as pessoas que esperam ali"
         [60, 72];
         fields {
             of: Form::Part(&["elevator"]), "the elevator" "o elevador";
@@ -246,9 +246,9 @@ pub(crate) mod call {
             to: Form::Sense, "the input that it switches" "a entrada que ele aciona";
         }
         values {
-            pressed: HAND, "whether somebody presses it" "se alguém o aperta";
-            waiting: FLAG, "whether somebody is waiting there" "se alguém espera ali";
-            waited: number(Unit::Ms, 0, 3_600_000), "for how long" "há quanto tempo";
+            pressed: HAND, "whether it is pressed" "se está apertado";
+            waiting: FLAG, "whether somebody is waiting there" "se há alguém esperando ali";
+            waited: number(Unit::Ms, 0, 3_600_000), "how long somebody has been waiting there" "há quanto tempo alguém espera ali";
         }
         faults { Stuck Open Short Bouncing }
     }

@@ -9,13 +9,13 @@ const COLOURS: &[&str] = &["green", "red", "yellow", "blue", "white"];
 pub(crate) mod button {
     use super::*;
     kind! {
-        "button" Panel "A push button: closed while somebody presses it" "Um botão de pulso: fechado enquanto alguém o aperta"
+        "button" Panel "A push button, closed while it is pressed" "Um botão de pulso, fechado enquanto está apertado"
         [60, 72];
         fields {
             to: Form::Sense, "the input that it switches" "a entrada que ele aciona";
             colour: Form::Choice(super::COLOURS), "its colour" "a cor dele";
         }
-        values { pressed: HAND, "whether somebody presses it" "se alguém o aperta"; }
+        values { pressed: HAND, "whether it is pressed" "se está apertado"; }
         faults { Stuck Open Short Bouncing }
     }
     pub(crate) fn step(m: &mut Moment<'_>) {
@@ -26,7 +26,7 @@ pub(crate) mod button {
 pub(crate) mod switch {
     use super::*;
     kind! {
-        "switch" Panel "A switch that stays where it is turned" "Uma chave que fica na posição em que é deixada"
+        "switch" Panel "A selector switch that stays in position" "Uma chave seletora com retenção"
         [60, 72];
         fields { to: Form::Sense, "the input that it switches" "a entrada que ela aciona"; }
         values { on: HAND, "whether it is turned on" "se está ligada"; }
@@ -40,7 +40,7 @@ pub(crate) mod switch {
 pub(crate) mod key {
     use super::*;
     kind! {
-        "key" Panel "A switch that only the holder of the key can turn" "Uma chave que só quem tem a chave pode girar"
+        "key" Panel "A selector switch operated by a key" "Uma chave seletora com segredo"
         [60, 72];
         fields { to: Form::Sense, "the input that it switches" "a entrada que ela aciona"; }
         values { on: HAND, "whether it is turned on" "se está ligada"; }
@@ -54,9 +54,9 @@ pub(crate) mod key {
 pub(crate) mod emergency {
     use super::*;
     kind! {
-        "emergency" Panel "An emergency stop: it stays pressed until somebody turns it" "Uma parada de emergência: fica apertada até que alguém a gire"
+        "emergency" Panel "An emergency stop button: once pressed, it latches until somebody twists it" "Uma botoeira de emergência: depois de apertada, fica retida até que alguém a gire"
         [60, 72];
-        fields { to: Form::Sense, "the input that it switches, usually normally closed" "a entrada que ela aciona, em geral normalmente fechada"; }
+        fields { to: Form::Sense, "the input of its contact, usually normally closed" "a entrada do contato, em geral normalmente fechado"; }
         values { pressed: HAND, "whether it is pressed" "se está apertada"; }
         faults { Stuck Open Short }
     }
@@ -69,10 +69,10 @@ pub(crate) mod lamp {
     use super::*;
     use crate::kind::Fault;
     kind! {
-        "lamp" Panel "A signal lamp" "Um sinaleiro"
+        "lamp" Panel "An indicator lamp" "Uma lâmpada de sinalização"
         [60, 72];
         fields {
-            by: Form::Drive, "what lights it" "o que a acende";
+            by: Form::Drive, "what switches it on" "o que a acende";
             colour: Form::Choice(super::COLOURS), "its colour" "a cor dela";
         }
         values { lit: FLAG, "whether it is lit" "se está acesa"; }
@@ -86,7 +86,7 @@ pub(crate) mod lamp {
 pub(crate) mod tower {
     use super::*;
     kind! {
-        "tower" Panel "A tower light: red, yellow, green" "Uma torre luminosa: vermelho, amarelo, verde"
+        "tower" Panel "A signal tower with red, yellow and green lights" "Uma torre luminosa com luzes vermelha, amarela e verde"
         [44, 110];
         fields {
             red: Form::MayDrive, "what switches the red light on" "o que acende a luz vermelha";
@@ -94,9 +94,9 @@ pub(crate) mod tower {
             green: Form::MayDrive, "what switches the green light on" "o que acende a luz verde";
         }
         values {
-            red: FLAG, "whether red is lit" "se o vermelho está aceso";
-            yellow: FLAG, "whether yellow is lit" "se o amarelo está aceso";
-            green: FLAG, "whether green is lit" "se o verde está aceso";
+            red: FLAG, "whether the red light is on" "se a luz vermelha está acesa";
+            yellow: FLAG, "whether the yellow light is on" "se a luz amarela está acesa";
+            green: FLAG, "whether the green light is on" "se a luz verde está acesa";
         }
         faults { }
     }
@@ -130,10 +130,10 @@ pub(crate) mod dial {
         "dial" Panel "A potentiometer" "Um potenciômetro"
         [60, 72];
         fields {
-            to: Form::Reading, "the analogue input that it sets" "a entrada analógica em que ele está ligado";
-            first: Form::Number(Unit::Permille, 0, 1000, 500), "its position at first" "onde ele está no começo";
+            to: Form::Reading, "the analogue input that it sets" "a entrada analógica à qual ele está ligado";
+            first: Form::Number(Unit::Permille, 0, 1000, 500), "its initial position" "a posição inicial dele";
         }
-        values { turned: Slot { by_hand: true, first: Limit::Of("first"), ..SHARE }, "how far it is turned" "quanto está girado"; }
+        values { turned: Slot { by_hand: true, first: Limit::Of("first"), ..SHARE }, "how far it is turned" "quanto foi girado"; }
         faults { Stuck Open Short }
     }
     pub(crate) fn step(m: &mut Moment<'_>) {
@@ -144,7 +144,7 @@ pub(crate) mod dial {
 pub(crate) mod bar {
     use super::*;
     kind! {
-        "bar" Panel "A value as a bar" "Um valor como barra"
+        "bar" Panel "A bar that shows a value" "Uma barra que mostra um valor"
         [44, 110];
         fields { of: Form::Value, "the value" "o valor"; }
         values { share: SHARE, "where the value lies in its range" "em que ponto da faixa está o valor"; }
@@ -160,10 +160,10 @@ pub(crate) mod bar {
 pub(crate) mod number {
     use super::*;
     kind! {
-        "number" Panel "A value as a number" "Um valor como número"
+        "number" Panel "A display that shows a value as a number" "Um mostrador numérico de um valor"
         [84, 60];
         fields { of: Form::Value, "the value" "o valor"; }
-        values { shown: Slot { low: crate::kind::Limit::Is(-1_000_000_000), high: crate::kind::Limit::Is(1_000_000_000), ..COUNT }, "the number" "o número"; }
+        values { shown: Slot { low: crate::kind::Limit::Is(-1_000_000_000), high: crate::kind::Limit::Is(1_000_000_000), ..COUNT }, "the number shown" "o número mostrado"; }
         faults { }
     }
     pub(crate) fn step(m: &mut Moment<'_>) {

@@ -7,19 +7,19 @@ use crate::unit::Unit;
 pub(crate) mod light {
     use super::*;
     kind! {
-        "light" Traffic "A traffic light; without `red` it is red while it is neither green nor yellow" "Um semáforo; sem `red` ele fica vermelho se não está verde nem amarelo"
+        "light" Traffic "A traffic light; without `red`, it is red while it is neither green nor yellow" "Um semáforo; sem `red`, ele fica vermelho se não está verde nem amarelo"
         [50, 130];
         fields {
             red: Form::MayDrive, "what switches the red light on" "o que acende a luz vermelha";
             yellow: Form::MayDrive, "what switches the yellow light on" "o que acende a luz amarela";
             green: Form::Drive, "what switches the green light on" "o que acende a luz verde";
-            shows: Form::Choice(&["cars", "walk"]), "whom it is for" "para quem é";
+            shows: Form::Choice(&["cars", "walk"]), "who it is for" "para quem ele é";
         }
         values {
             red: FLAG, "whether it is red" "se está vermelho";
             yellow: FLAG, "whether it is yellow" "se está amarelo";
             green: FLAG, "whether it is green" "se está verde";
-            since: number(Unit::Ms, 0, 3_600_000), "how long its state has lasted" "há quanto tempo está assim";
+            since: number(Unit::Ms, 0, 3_600_000), "how long it has been in its present state" "há quanto tempo está assim";
             was: inner(0, 7), "how it was before" "como estava antes";
         }
         faults { Open }
@@ -42,19 +42,19 @@ pub(crate) mod light {
 pub(crate) mod road {
     use super::*;
     kind! {
-        "road" Traffic "A road with cars that arrive at random and wait at a light" "Uma rua com carros que chegam em momentos aleatórios e esperam em um semáforo"
+        "road" Traffic "A road where cars arrive at random and wait at a traffic light" "Uma rua com carros que chegam em momentos aleatórios e esperam em um semáforo"
         [420, 90];
         fields {
-            light: Form::Part(&["light"]), "its light" "o semáforo dela";
-            every: Form::Number(Unit::Ms, 500, 600_000, 5000), "the time between cars" "o tempo entre os carros";
-            takes: Form::Number(Unit::Ms, 200, 60_000, 2000), "how long a car takes to cross" "quanto tempo um carro demora no cruzamento";
+            light: Form::Part(&["light"]), "its traffic light" "o semáforo dela";
+            every: Form::Number(Unit::Ms, 500, 600_000, 5000), "the mean time between cars" "o tempo médio entre os carros";
+            takes: Form::Number(Unit::Ms, 200, 60_000, 2000), "how long a car takes to cross" "quanto tempo um carro leva para passar";
         }
         values {
             waiting: number(Unit::Count, 0, 20), "how many cars are waiting" "quantos carros estão esperando";
-            passes: FLAG, "whether a car is on the crossing" "se há um carro no cruzamento";
+            passes: FLAG, "whether a car is on the crossing" "se há um carro passando";
             passed: COUNT, "how many cars have passed" "quantos carros passaram";
             hit: DAMAGE, "whether a car has hit somebody" "se um carro atingiu alguém";
-            on: inner(0, 60_000), "how much longer the car on the crossing takes" "quanto tempo falta ao carro no cruzamento";
+            on: inner(0, 60_000), "how much longer the car on the crossing takes" "quanto tempo falta ao carro que passa";
             next: inner(0, 1_200_000), "the time until the next car" "o tempo até o próximo carro";
         }
         faults { }
@@ -88,19 +88,19 @@ pub(crate) mod road {
 pub(crate) mod junction {
     use super::*;
     kind! {
-        "junction" Traffic "A crossing of two roads: cars arrive at random on both, and crash if both drive" "Um cruzamento de duas ruas: carros chegam em momentos aleatórios nas duas, e batem se os das duas andam"
+        "junction" Traffic "A junction of two roads: cars arrive at random on both, and crash if a car from each road is in the junction" "Um cruzamento de duas ruas: os carros chegam em momentos aleatórios nas duas e batem se houver no cruzamento um de cada rua"
         [520, 330];
         fields {
             across: Form::Part(&["light"]), "the light of the road drawn horizontally" "o semáforo da rua desenhada na horizontal";
             down: Form::Part(&["light"]), "the light of the road drawn vertically" "o semáforo da rua desenhada na vertical";
-            every: Form::Number(Unit::Ms, 500, 600_000, 5000), "the time between cars on each" "o tempo entre os carros em cada uma";
-            takes: Form::Number(Unit::Ms, 200, 60_000, 2000), "how long a car takes to cross" "quanto tempo um carro demora no cruzamento";
+            every: Form::Number(Unit::Ms, 500, 600_000, 5000), "the mean time between cars on each road" "o tempo médio entre os carros em cada rua";
+            takes: Form::Number(Unit::Ms, 200, 60_000, 2000), "how long a car takes to cross" "quanto tempo um carro leva para passar pelo cruzamento";
         }
         values {
             waiting_across: number(Unit::Count, 0, 20), "how many cars are waiting on the horizontal road" "quantos carros estão esperando na rua horizontal";
             waiting_down: number(Unit::Count, 0, 20), "how many cars are waiting on the vertical road" "quantos carros estão esperando na rua vertical";
-            passes_across: FLAG, "whether a car of the horizontal road is on the crossing" "se há um carro da rua horizontal no cruzamento";
-            passes_down: FLAG, "whether a car of the vertical road is on the crossing" "se há um carro da rua vertical no cruzamento";
+            passes_across: FLAG, "whether a car from the horizontal road is in the junction" "se há um carro da rua horizontal no cruzamento";
+            passes_down: FLAG, "whether a car from the vertical road is in the junction" "se há um carro da rua vertical no cruzamento";
             passed_across: COUNT, "how many cars have passed on the horizontal road" "quantos carros passaram pela rua horizontal";
             passed_down: COUNT, "how many cars have passed on the vertical road" "quantos carros passaram pela rua vertical";
             crashed: DAMAGE, "whether two cars have crashed" "se dois carros bateram";
@@ -168,24 +168,24 @@ pub(crate) mod walk {
     use super::*;
     use crate::parts::traffic::{junction, light, road};
     kind! {
-        "walk" Traffic "A crossing where people arrive at random, press the button, and cross on green" "Uma faixa de pedestres: as pessoas chegam em momentos aleatórios, apertam o botão e atravessam no verde"
+        "walk" Traffic "A pedestrian crossing: people arrive at random, press the button, and cross on green" "Uma faixa de pedestres: as pessoas chegam em momentos aleatórios, apertam o botão e atravessam no verde"
         [120, 200];
         fields {
-            light: Form::Part(&["light"]), "its light" "o semáforo dela";
-            over: Form::Part(&["road", "junction"]), "the road; for a junction, the horizontal one" "a rua; de um cruzamento, a horizontal";
+            light: Form::Part(&["light"]), "its traffic light" "o semáforo dela";
+            over: Form::Part(&["road", "junction"]), "the road; for a junction, the horizontal one" "a rua; em um cruzamento, a horizontal";
             button: Form::Sense, "the input of the button" "a entrada do botão";
-            every: Form::Number(Unit::Ms, 1000, 600_000, 20_000), "the time between people" "o tempo entre as pessoas";
-            takes: Form::Number(Unit::Ms, 500, 60_000, 5000), "how long it takes to cross" "quanto tempo a travessia demora";
+            every: Form::Number(Unit::Ms, 1000, 600_000, 20_000), "the mean time between people" "o tempo médio entre as pessoas";
+            takes: Form::Number(Unit::Ms, 500, 60_000, 5000), "how long it takes to cross" "quanto tempo leva a travessia";
         }
         values {
             waiting: number(Unit::Count, 0, 9), "how many people are waiting" "quantas pessoas estão esperando";
             walks: FLAG, "whether somebody is crossing" "se há alguém atravessando";
-            crossed: COUNT, "how many have crossed" "quantas atravessaram";
-            waited: number(Unit::Ms, 0, 3_600_000), "how long the first of them has waited" "há quanto tempo a primeira delas espera";
+            crossed: COUNT, "how many people have crossed" "quantas pessoas atravessaram";
+            waited: number(Unit::Ms, 0, 3_600_000), "how long the first person has been waiting" "há quanto tempo a primeira pessoa espera";
             pressed: HAND, "whether somebody is pressing the button" "se alguém está apertando o botão";
-            on: inner(0, 60_000), "how long they still take" "quanto tempo ainda falta a elas";
-            group: inner(0, 9), "how many are crossing" "quantas estão atravessando";
-            next: inner(0, 1_200_000), "the time until the next one" "o tempo até a próxima";
+            on: inner(0, 60_000), "how much longer the people crossing take" "quanto tempo ainda falta a quem atravessa";
+            group: inner(0, 9), "how many people are crossing" "quantas pessoas estão atravessando";
+            next: inner(0, 1_200_000), "the time until the next person" "o tempo até a próxima pessoa";
             presses: inner(0, 10_000), "how long the button is still pressed" "quanto tempo o botão ainda fica apertado";
         }
         faults { Open Short Bouncing }
@@ -242,28 +242,28 @@ pub(crate) mod lane {
     use super::*;
     use crate::parts::motion::gate;
     kind! {
-        "lane" Traffic "The lane of a parking lot: cars come to a gate, park, and leave by another way" "A pista de um estacionamento: carros chegam a uma cancela, estacionam e saem por outro lado"
+        "lane" Traffic "The entry lane of a car park: cars arrive at a gate, park, and leave by a separate exit" "A entrada de um estacionamento: os carros chegam a uma cancela, estacionam e vão embora por uma saída separada"
         [420, 110];
         fields {
             gate: Form::Part(&["gate"]), "the gate" "a cancela";
-            spaces: Form::Number(Unit::Count, 1, 20, 5), "the number of spaces" "quantos carros cabem";
-            every: Form::Number(Unit::Ms, 1000, 600_000, 8000), "the time between cars" "o tempo entre os carros";
-            stays: Form::Number(Unit::Ms, 1000, 3_600_000, 60_000), "how long a car stays" "quanto tempo um carro fica";
-            takes: Form::Number(Unit::Ms, 500, 60_000, 3000), "how long it takes to pass the gate" "quanto tempo demora na cancela";
-            at_gate: Form::Sense, "the input of the sensor before the gate" "a entrada do sensor antes da cancela";
+            spaces: Form::Number(Unit::Count, 1, 20, 5), "the number of spaces" "o número de vagas";
+            every: Form::Number(Unit::Ms, 1000, 600_000, 8000), "the mean time between cars" "o tempo médio entre os carros";
+            stays: Form::Number(Unit::Ms, 1000, 3_600_000, 60_000), "how long a car stays on average" "por quanto tempo um carro fica, em média";
+            takes: Form::Number(Unit::Ms, 500, 60_000, 3000), "how long a car takes to pass the gate" "quanto tempo um carro leva para passar pela cancela";
+            at_gate: Form::Sense, "the input of the sensor in front of the gate" "a entrada do sensor antes da cancela";
             under: Form::Sense, "the input of the sensor under the gate" "a entrada do sensor debaixo da cancela";
-            leaves: Form::Sense, "the input of the sensor at the way out" "a entrada do sensor da saída";
+            leaves: Form::Sense, "the input of the sensor at the exit" "a entrada do sensor da saída";
         }
         values {
-            waiting: number(Unit::Count, 0, 20), "how many cars are waiting before the gate" "quantos carros estão esperando antes da cancela";
+            waiting: number(Unit::Count, 0, 20), "how many cars are waiting at the gate" "quantos carros estão esperando na cancela";
             passes: FLAG, "whether a car is under the gate" "se há um carro debaixo da cancela";
             inside: number(Unit::Count, 0, 40), "how many cars are inside" "quantos carros estão dentro";
-            overfull: DAMAGE, "whether there are more cars inside than spaces" "se há mais carros dentro do que cabem";
-            hit: DAMAGE, "whether the gate has come down on a car" "se a cancela desceu em um carro";
+            overfull: DAMAGE, "whether there are more cars inside than spaces" "se há mais carros dentro do que vagas";
+            hit: DAMAGE, "whether the gate has come down on a car" "se a cancela desceu sobre um carro";
             entered: COUNT, "how many cars have come in" "quantos carros entraram";
             on: inner(0, 60_000), "how much longer the car under the gate takes" "quanto tempo falta ao carro debaixo da cancela";
             next: inner(0, 1_200_000), "the time until the next car" "o tempo até o próximo carro";
-            out: inner(0, 1000), "how much longer the car at the way out is seen" "quanto tempo o carro na saída ainda é visto";
+            out: inner(0, 1000), "how much longer the car at the exit is detected" "por quanto tempo o carro na saída ainda é detectado";
             rest: Slot { count: 20, ..inner(0, 7_200_000) }, "how much longer each car stays" "quanto tempo cada carro ainda fica";
         }
         faults { Stuck Open Short Bouncing }

@@ -24,11 +24,11 @@ pub(crate) mod bin {
     kind! {
         "bin" Transport "A bin that counts what falls into it" "Uma caixa que conta o que cai nela"
         [110, 90];
-        fields { wants: Form::Choice(&["any", "metal", "plastic", "tall", "short", "full", "tall plastic", "short plastic"]), "what belongs in it; `full` is a bottle filled to 90% or more" "o que deve cair nela; `full` é uma garrafa com 90% ou mais"; }
+        fields { wants: Form::Choice(&["any", "metal", "plastic", "tall", "short", "full", "tall plastic", "short plastic"]), "what belongs in it; `full` is a bottle filled to 90% or more" "o que deve cair nela; `full` é uma garrafa cheia pelo menos até 90%"; }
         values {
-            count: COUNT, "how much has fallen into it" "quanto caiu nela";
-            right: COUNT, "how much of that belongs in it" "quanto disso deve estar nela";
-            wrong: COUNT, "how much does not belong in it" "quanto não deve estar nela";
+            count: COUNT, "how many items have fallen into it" "quantas peças caíram nela";
+            right: COUNT, "how many items in it belong there" "quantas peças caíram nela corretamente";
+            wrong: COUNT, "how many items in it do not belong there" "quantas peças caíram nela por engano";
         }
         faults { }
     }
@@ -54,24 +54,24 @@ pub(crate) mod bin {
 pub(crate) mod belt {
     use super::*;
     kind! {
-        "belt" Transport "A belt; things at its end move onto the next belt, fall into a bin, or fall on the floor" "Uma esteira; o que chega ao fim passa à próxima esteira, a uma caixa, ou cai no chão"
+        "belt" Transport "A conveyor belt; at its end, items move onto the next belt, fall into a bin, or fall on the floor" "Uma esteira; no fim dela, as peças passam para a próxima esteira, caem em uma caixa ou caem no chão"
         [320, 80];
         fields {
             run: Form::Duty, "what drives it" "o que a aciona";
-            onto: Form::MayPart(&["belt", "bin"]), "what stands at its end" "o que está no fim dela";
-            long: Form::Number(Unit::Mm, 200, 20_000, 2000), "how long it is" "o comprimento";
+            onto: Form::MayPart(&["belt", "bin"]), "the belt or bin at its end" "a esteira ou a caixa no fim dela";
+            long: Form::Number(Unit::Mm, 200, 20_000, 2000), "its length" "o comprimento";
             speed: Form::Number(Unit::MmPerS, 10, 3000, 300), "its speed" "a velocidade";
-            run_up: Form::Number(Unit::Ms, 1, 20_000, 200), "how long it takes to reach full speed" "quanto tempo demora até a velocidade plena";
+            run_up: Form::Number(Unit::Ms, 1, 20_000, 200), "how long it takes to reach full speed" "quanto tempo leva para atingir a velocidade plena";
         }
         values {
-            runs: FLAG, "whether it moves" "se está em movimento";
-            items: number(Unit::Count, 0, MOST as i32), "how many things are on it" "quantas peças estão nela";
-            jammed: DAMAGE, "whether things have piled up on it" "se peças se acumularam nela";
-            fallen: COUNT, "how many things have fallen on the floor" "quantas peças caíram no chão";
+            runs: FLAG, "whether it is moving" "se está em movimento";
+            items: number(Unit::Count, 0, MOST as i32), "how many items are on it" "quantas peças estão nela";
+            jammed: DAMAGE, "whether items have piled up on it" "se há peças acumuladas nela";
+            fallen: COUNT, "how many items have fallen on the floor" "quantas peças caíram no chão";
             way: number(Unit::Mm, 0, 1_000_000_000), "how far it has moved" "quanto já andou";
-            pace: inner(0, 1000), "how fast it is, of its full speed" "a velocidade, da plena";
-            rise: inner(0, 1_000_000), "the same in small steps" "a mesma em passos pequenos";
-            rest: inner(0, 999_999), "what is less than a millimetre of its way" "o que falta para um milímetro";
+            pace: inner(0, 1000), "its speed, as a share of full speed" "a fração da velocidade plena";
+            rise: inner(0, 1_000_000), "its speed in small steps" "a velocidade em passos pequenos";
+            rest: inner(0, 999_999), "how far it has moved beyond a whole millimetre" "quanto andou além de um milímetro inteiro";
             place: Slot { count: MOST, ..inner(0, 20_000_000) }, "where each thing is, µm" "onde está cada peça, µm";
             nature: Slot { count: MOST, ..inner(0, 15) }, "what each thing is" "o que é cada peça";
             fill: Slot { count: MOST, ..inner(0, 1200) }, "how full each thing is" "quanto está cheia cada peça";
@@ -130,7 +130,7 @@ pub(crate) mod belt {
         m.set(V::items, items);
     }
 
-    /// Lays a thing at the begin of a belt; whether there was room.
+    /// Lays a thing at the beginning of a belt, and tells whether there was room.
     pub(crate) fn lay(m: &mut Moment<'_>, belt: usize, nature: i32, fill: i32) -> bool {
         let mut free = None;
         for at in 0..MOST {
@@ -161,18 +161,18 @@ pub(crate) mod belt {
 pub(crate) mod feeder {
     use super::*;
     kind! {
-        "feeder" Transport "A feeder: it puts things on a belt while the belt runs" "Põe peças em uma esteira enquanto ela anda"
+        "feeder" Transport "A feeder: it puts items on a belt while the belt runs" "Um alimentador: põe peças em uma esteira enquanto ela anda"
         [90, 90];
         fields {
             onto: Form::Part(BELTS), "the belt" "a esteira";
-            every: Form::Number(Unit::Mm, 100, 10_000, 400), "the distance between things" "a distância entre as peças";
-            things: Form::Choice(&["boxes", "mixed", "bottles"]), "what it lays; `mixed` is metal and plastic, tall and short at random" "o que põe; `mixed` é metal e plástico, alto e baixo, em ordem aleatória";
-            most: Form::Number(Unit::Count, 0, 1_000_000, 1_000_000), "how many it has" "quantas tem";
+            every: Form::Number(Unit::Mm, 100, 10_000, 400), "the minimum distance between items; a random extra of up to a fifth is added" "a distância mínima entre as peças; soma-se um acréscimo aleatório de até um quinto";
+            things: Form::Choice(&["boxes", "mixed", "bottles"]), "what it feeds; `mixed` means tall and short items of metal and plastic, in random order" "o que ele põe; `mixed` são peças altas e baixas, de metal e de plástico, em ordem aleatória";
+            most: Form::Number(Unit::Count, 0, 1_000_000, 1_000_000), "how many items it has" "quantas peças ele tem";
         }
         values {
-            made: COUNT, "how many it has laid" "quantas já pôs";
+            made: COUNT, "how many items it has fed" "quantas peças ele já pôs";
             closed: HAND, "whether somebody holds it closed" "se alguém o mantém fechado";
-            next: inner(0, 1_000_000_000), "the way of the belt at the next one" "o caminho da esteira na próxima";
+            next: inner(0, 1_000_000_000), "how far the belt has moved when the next thing comes" "quanto a esteira terá andado na próxima peça";
         }
         faults { Jammed }
     }
@@ -222,10 +222,10 @@ macro_rules! sensor {
                 [40, 70];
                 fields {
                     of: Form::Part(BELTS), "its belt" "a esteira";
-                    place: Form::Number(Unit::Mm, 0, 20_000, 1000), "where it stands" "onde fica";
+                    place: Form::Number(Unit::Mm, 0, 20_000, 1000), "its position along the belt" "a posição ao longo da esteira";
                     to: Form::Sense, "the input that it switches" "a entrada que ele aciona";
                 }
-                values { sees: FLAG, "whether it sees something" "se vê algo"; }
+                values { sees: FLAG, "whether it detects something" "se detecta algo"; }
                 faults { Stuck Open Short Bouncing }
             }
             pub(crate) fn step(m: &mut Moment<'_>) {
@@ -240,30 +240,30 @@ macro_rules! sensor {
 }
 
 sensor! { eye "eye" "A photo-eye beside a belt" "Um sensor óptico ao lado de uma esteira" THING }
-sensor! { inductive "inductive" "An inductive sensor: it sees only metal" "Um sensor indutivo: só vê metal" METAL }
-sensor! { height "height" "A photo-eye above a belt: it sees only tall things" "Um sensor óptico acima de uma esteira: só vê o que é alto" TALL }
+sensor! { inductive "inductive" "An inductive sensor: it detects only metal" "Um sensor indutivo: só detecta metal" METAL }
+sensor! { height "height" "A photo-eye above a belt: it detects only tall items" "Um sensor óptico acima de uma esteira: só detecta peças altas" TALL }
 
 pub(crate) mod pusher {
     use super::*;
     kind! {
-        "pusher" Transport "A pusher: it moves a thing from a belt into a bin" "Um empurrador: passa o que está na frente dele da esteira para uma caixa"
+        "pusher" Transport "A pusher: it pushes items from a belt into a bin" "Um empurrador: empurra peças de uma esteira para uma caixa"
         [60, 110];
         fields {
-            by: Form::Drive, "what extends it; a spring draws it back" "o que o avança; uma mola o recolhe";
+            by: Form::Drive, "what extends it; a spring retracts it" "o que o avança; uma mola o recua";
             of: Form::Part(BELTS), "the belt" "a esteira";
-            place: Form::Number(Unit::Mm, 0, 20_000, 1000), "where it stands" "onde fica";
+            place: Form::Number(Unit::Mm, 0, 20_000, 1000), "its position along the belt" "a posição ao longo da esteira";
             into: Form::Part(&["bin"]), "the bin" "a caixa";
-            takes: Form::Number(Unit::Ms, 50, 10_000, 250), "how long it takes" "quanto tempo demora";
-            is_in: Form::Sense, "the input of the switch at its inner end" "a entrada do fim de curso recuado";
-            is_out: Form::Sense, "the input of the switch at its outer end" "a entrada do fim de curso avançado";
+            takes: Form::Number(Unit::Ms, 50, 10_000, 250), "how long it takes to extend" "quanto tempo leva para avançar";
+            is_in: Form::Sense, "the input of its retracted limit switch" "a entrada do fim de curso de recuo";
+            is_out: Form::Sense, "the input of its extended limit switch" "a entrada do fim de curso de avanço";
         }
         values {
             position: SHARE, "how far it is extended" "quanto está avançado";
-            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully retracted" "se está todo recuado";
-            out: FLAG, "whether it is fully extended" "se está todo avançado";
+            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is fully retracted" "se está totalmente recuado";
+            out: FLAG, "whether it is fully extended" "se está totalmente avançado";
             hits: DAMAGE, "whether something has run into it while it was extended" "se algo bateu nele enquanto estava avançado";
             fine: inner(0, 1_000_000), "its position in small steps" "a posição em passos pequenos";
-            alone: inner(0, 1), "whether its way was free as it set out" "se o caminho estava livre ao avançar";
+            alone: inner(0, 1), "whether its way was free when it set out" "se o caminho estava livre ao avançar";
         }
         faults { Stuck Slow }
     }
@@ -301,19 +301,19 @@ pub(crate) mod pusher {
 pub(crate) mod filler {
     use super::*;
     kind! {
-        "filler" Transport "A filler: it pours into the bottle below it, or on the belt" "Um enchedor: despeja na garrafa debaixo dele, ou na esteira"
+        "filler" Transport "A filler: it pours into the bottle below it, or onto the belt" "Um bico de enchimento: despeja na garrafa abaixo dele, ou na esteira"
         [70, 110];
         fields {
             by: Form::Drive, "what opens it" "o que o abre";
             of: Form::Part(BELTS), "the belt" "a esteira";
-            place: Form::Number(Unit::Mm, 0, 20_000, 1000), "where it stands" "onde fica";
-            takes: Form::Number(Unit::Ms, 100, 60_000, 2000), "how long it takes to fill a bottle" "quanto tempo demora para encher uma garrafa";
+            place: Form::Number(Unit::Mm, 0, 20_000, 1000), "its position along the belt" "a posição ao longo da esteira";
+            takes: Form::Number(Unit::Ms, 100, 60_000, 2000), "how long it takes to fill a bottle" "quanto tempo leva para encher uma garrafa";
         }
         values {
-            pours: FLAG, "whether it pours" "se está despejando";
-            spills: FLAG, "whether it pours beside a bottle, or into a full one" "se despeja fora de uma garrafa, ou em uma cheia";
-            spilt: number(Unit::Ms, 0, 3_600_000), "how long it has poured beside a bottle, or into a full one" "por quanto tempo despejou fora de uma garrafa ou em uma cheia";
-            fine: inner(0, 1_000_000), "what has been poured since, in small steps" "o que despejou, em passos pequenos";
+            pours: FLAG, "whether it is pouring" "se está despejando";
+            spills: FLAG, "whether it is pouring outside a bottle, or into a full one" "se está despejando fora de uma garrafa, ou em uma cheia";
+            spilt: number(Unit::Ms, 0, 3_600_000), "how long it has poured outside a bottle, or into a full one" "por quanto tempo despejou fora de uma garrafa ou em uma cheia";
+            fine: inner(0, 1_000_000), "what it has poured, in small steps" "o que despejou, em passos pequenos";
         }
         faults { Stuck Leaking Open }
     }
@@ -355,12 +355,12 @@ pub(crate) mod filler {
 pub(crate) mod counter {
     use super::*;
     kind! {
-        "counter" Transport "A counter: it counts how often something becomes true" "Conta quantas vezes algo se torna verdadeiro"
+        "counter" Transport "A counter: it counts how many times a value becomes true" "Um contador: conta quantas vezes um valor se torna verdadeiro"
         [84, 60];
         fields { of: Form::Drive, "what it counts" "o que ele conta"; }
         values {
-            count: COUNT, "how often" "quantas vezes";
-            was: inner(0, 1), "whether it was so before" "se antes era assim";
+            count: COUNT, "the count so far" "a contagem até agora";
+            was: inner(0, 1), "whether the value was true before" "se o valor era verdadeiro antes";
         }
         faults { }
     }

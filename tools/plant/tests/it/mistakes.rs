@@ -75,25 +75,25 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("button", "to = \"I1\"\n"),
             13,
-            "b also sets I1; give each its own input",
+            "b also sets I1; choose another input",
         ),
         (
             part("button", "to = \"I9\"\n"),
             13,
-            "UNO has no I9; it has I1–I8",
+            "the UNO has no I9; it has I1–I8",
         ),
         (part("button", "to = \"Q1\"\n"), 13, "\"I1 nc\""),
         (
             part("lamp", "by = \"Q5\"\n"),
             13,
-            "UNO has no Q5; it has Q1–Q4",
+            "the UNO has no Q5; it has Q1–Q4",
         ),
         (
             part("lamp", "by = \"P2\"\n"),
             13,
-            "UNO has no P2; it has P1, P4",
+            "the UNO has no P2; it has P1, P4",
         ),
-        (part("lamp", "by = \"Z\"\n"), 13, "Z drives nothing"),
+        (part("lamp", "by = \"Z\"\n"), 13, "Z cannot drive a part"),
         (
             part("lamp", "by = \"not k.heat\"\n"),
             13,
@@ -117,7 +117,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("dial", "to = \"A7\"\n"),
             13,
-            "UNO has no A7; it has A0–A4",
+            "the UNO has no A7; it has A0–A4",
         ),
         (
             part(
@@ -130,23 +130,23 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("float", "of = \"k\"\n"),
             13,
-            "k is a contactor; name a part of kind tank",
+            "k is of kind contactor; name a part of kind tank",
         ),
         (part("float", "of = \"t\"\n"), 13, "there is no part t"),
         (
             part("tank", "holds = \"5 kg\"\n"),
             13,
-            "`holds` must be a number with a unit (l, ml), and \"5 kg\" is not",
+            "`holds` must be a number with a unit (l, ml), but \"5 kg\" is not one",
         ),
         (
             part("tank", "holds = \"5000 l\"\n"),
             13,
-            "`holds` is out of its range; use 0.1 l to 2000 l",
+            "`holds` is out of range; use 0.1 l to 2000 l",
         ),
         (
             part("feeder", "onto = \"k\"\nmost = \"many\"\n"),
             13,
-            "k is a contactor",
+            "k is of kind contactor",
         ),
         (
             part("feeder", "onto = \"k\"\nmost = \"many\"\n"),
@@ -206,12 +206,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[step]]\nat = \"1 s\"\nset = { b = 2 }\n"),
             12,
-            "`b` is out of its range; use 0 to 1",
+            "`b` is out of range; use 0 to 1",
         ),
         (
             with("[[fault]]\npart = \"k\"\nis = \"leaking\"\nat = \"1 s\"\n"),
             12,
-            "a contactor cannot be \"leaking\"; it can be \"welded\"",
+            "a part of kind contactor cannot be \"leaking\"; it can be \"welded\"",
         ),
         (
             with("[[fault]]\npart = \"k\"\nis = \"welded\"\n"),
@@ -318,7 +318,7 @@ within = "1 min"
     let [never, goal] = [&plant.nevers[0].text, &plant.goals[0].text];
     assert_eq!(
         never.en,
-        "Never: Tank (how full it is) is at least 95% and not (Start (somebody presses it) or the time is less than 2.5 s), \
+        "Never: Tank (how full it is) is at least 95% and not (Start (it is pressed) or the time is less than 2.5 s), \
          for longer than 0.4 s, from 2 s on"
     );
     assert!(

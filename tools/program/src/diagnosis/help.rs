@@ -61,7 +61,7 @@ fn has(
     if let Some(larger) = larger {
         let (name, last) = (larger.name, count(&larger));
         told.push_str(&match lang {
-            Lang::En => format!("; the board {name} has 01 to {last:02}"),
+            Lang::En => format!("; the {name} has 01 to {last:02}"),
             Lang::Pt => format!("; a placa {name} tem 01 a {last:02}"),
         });
     }
@@ -80,8 +80,8 @@ fn balance(cause: Cause, lang: Lang) -> Option<&'static str> {
             "guarde uma parte do resultado em um registrador",
         ),
         Cause::ValueLeftPushed => (
-            "use the value before this line, in an operation with XX = 99",
-            "use o valor antes desta linha, em uma operação com XX = 99",
+            "before this line, use the value in an operation with XX = 99",
+            "antes desta linha, use o valor em uma operação com XX = 99",
         ),
         Cause::NotReal => (
             "1.0 is 1065353216; in Instruction List, write the number itself: REAL_ADD 1.0",
@@ -96,8 +96,8 @@ fn balance(cause: Cause, lang: Lang) -> Option<&'static str> {
             "junte as condições em um degrau antes de um só IF, ou feche um IF com 697868 (END)",
         ),
         Cause::IfLeftOpen => (
-            "write 697868 (END) where its part ends",
-            "escreva 697868 (END) onde a sua parte termina",
+            "write 697868 (END) where this IF ends",
+            "escreva 697868 (END) onde este IF termina",
         ),
         _ => return None,
     };
@@ -114,11 +114,11 @@ fn full(lacking: [usize; 2], board: Board, lang: Lang) -> String {
     match lang {
         Lang::En => format!(
             "the {name} holds {stored} bytes of program and has {linked} bytes to run it{lacking}. Timers, markers and \
-             numbers take more run memory than program memory; retained values need room for two records"
+             numbers take more run memory than program memory; kept values need room for two records"
         ),
         Lang::Pt => format!(
             "o {name} guarda {stored} bytes de programa e tem {linked} bytes para executá-lo{lacking}. Temporizadores, \
-             memórias e números ocupam mais memória de execução que de programa; o que é retido precisa de lugar para duas gravações"
+             memórias e números ocupam mais memória de execução que de programa; valores mantidos precisam de espaço para duas cópias"
         ),
     }
 }
@@ -171,8 +171,8 @@ fn unknown_code(code: i32, lang: Lang) -> Option<String> {
     let what = effect(*opcode, lang).split(':').next().unwrap_or_default();
     let (example, letters) = (example(row), row.letters);
     Some(match lang {
-        Lang::En => format!("is it {example}, {letters} ({what})?"),
-        Lang::Pt => format!("seria {example}, {letters} ({what})?"),
+        Lang::En => format!("did you mean {example}, {letters} ({what})?"),
+        Lang::Pt => format!("você quis dizer {example}, {letters} ({what})?"),
     })
 }
 
@@ -223,12 +223,18 @@ mod tests {
             ),
             ("-877901", "this code has no negated form"),
             ("-787600", "this code has no negated form"),
-            ("827401", "is it 827301, RI (contact, normally open)?"),
-            ("872301", "is it 827301, RI (contact, normally open)?"),
-            ("82733", "is it 827301, RI (contact, normally open)?"),
-            ("787601", "is it 787600, NL (new rung)?"),
-            ("84797", "is it 847978, TON (on-delay timer)?"),
-            ("42", "is it 40, ( (open an OR branch)?"),
+            (
+                "827401",
+                "did you mean 827301, RI (contact, normally open)?",
+            ),
+            (
+                "872301",
+                "did you mean 827301, RI (contact, normally open)?",
+            ),
+            ("82733", "did you mean 827301, RI (contact, normally open)?"),
+            ("787601", "did you mean 787600, NL (new rung)?"),
+            ("84797", "did you mean 847978, TON (on-delay timer)?"),
+            ("42", "did you mean 40, ( (open an OR branch)?"),
         ];
         for (code, expected) in cases {
             let help = help(Cause::UnknownCode, code, ([0; 2], Board::UNO), Lang::En);
@@ -238,7 +244,7 @@ mod tests {
             assert!(starts, "{code}: {help:?}");
         }
         let unknown = |code, lang| help(Cause::UnknownCode, code, ([0; 2], Board::UNO), lang);
-        let says = "seria 827301, RI (contato normalmente aberto)?";
+        let says = "você quis dizer 827301, RI (contato normalmente aberto)?";
         assert_eq!(unknown("827401", Lang::Pt).as_deref(), Some(says));
         assert_eq!(unknown("123456", Lang::En), None);
         assert_eq!(unknown("-2147483648", Lang::En), None);

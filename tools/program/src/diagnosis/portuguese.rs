@@ -22,7 +22,7 @@ pub const fn portuguese(cause: Cause) -> &'static str {
         Cause::NoSuchOutput => "esta placa não tem essa saída",
         Cause::NoSuchBranchPoint => "o ponto de ramificação deve ser de 01 a 08 (NC-8)",
         Cause::NoSuchPoint => {
-            "não há essa memória, contador, registrador, canal, bit, rótulo ou número"
+            "não há tal memória, contador, registrador, canal, bit, rótulo ou número"
         }
         Cause::NoSuchTimer => "o programa não tem temporizador com esse número (NC-14)",
         Cause::CloseWithoutOpen => "o 41 fecha um ramo, mas nenhum está aberto (NC-8)",
@@ -31,9 +31,7 @@ pub const fn portuguese(cause: Cause) -> &'static str {
         Cause::NestedTooDeep => "mais de 8 ramos abertos (NC-8)",
         Cause::OperandsMissing => "faltam linhas de operando depois deste código",
         Cause::BadPreset => "a pré-seleção vai de 0 a 2147483647 (NC-9, NC-15)",
-        Cause::BadTimerOutput => {
-            "depois da pré-seleção vem 79XX, uma saída, ou 77XX, uma memória (NC-9)"
-        }
+        Cause::BadTimerOutput => "depois da pré-seleção deve vir 79XX, 77XX ou 84XX (NC-9)",
         Cause::BadOperand => "essa linha de operando está fora da sua faixa",
         Cause::PinUsedTwice => {
             "um pino é usado de dois modos: 05-08 e A 00-03, saída e PWM (NC-18)"
@@ -41,12 +39,10 @@ pub const fn portuguese(cause: Cause) -> &'static str {
         Cause::ProgramFull => "o programa não cabe na memória de programa a partir daqui (NC-10)",
         Cause::RunMemoryFull => "o programa não cabe na memória de execução a partir daqui (NC-10)",
         Cause::CannotKeep => "escreva KD e KC logo depois do 0, no máximo 16 (NC-21)",
-        Cause::NoCard => {
-            "nenhum cartão responde; há um cartão no leitor e D10 a D13 estão ligados?"
-        }
+        Cause::NoCard => "nenhum cartão responde; verifique o slot e os fios em D10 a D13",
         Cause::CardDead => "o cartão responde, mas não fica pronto; tente outro (MMC não serve)",
         Cause::CardReadError => "o cartão não pode ser lido; tente de novo ou tente outro",
-        Cause::NoVolume => "o cartão não é FAT16 nem FAT32; formate-o assim",
+        Cause::NoVolume => "o cartão não é FAT16 nem FAT32; formate-o",
         Cause::NoProgramFile => "não há PROGRAM.TXT na pasta raiz (será PROGRAM.TXT.TXT?)",
         Cause::VolumeDamaged => "a FAT do cartão está danificada; verifique ou formate o cartão",
         Cause::FileChanged => "a segunda leitura do cartão trouxe outro programa; use outro cartão",
@@ -62,7 +58,7 @@ pub const fn portuguese(cause: Cause) -> &'static str {
         Cause::StoreFailed => "a memória de programa não conserva o que se grava nela",
         Cause::LabelTwice => "este rótulo aparece duas vezes (NC-19)",
         Cause::NoSuchLabel => "o programa não tem esse rótulo (NC-19)",
-        Cause::LabelInRung => "um rótulo fica no início de um degrau (NC-19)",
+        Cause::LabelInRung => "um rótulo deve ficar no início de um degrau (NC-19)",
         Cause::JumpInBranch => {
             "nenhum desvio, retorno ou IF entre 40 e 41 ou depois de PSH (NC-19)"
         }

@@ -15,7 +15,7 @@ const SHOWN: usize = 20;
 /// The byte-order mark of UTF-8. It is allowed (NC-3), and not shown.
 const UTF8_MARK: &[u8] = b"\xEF\xBB\xBF";
 
-/// Shows the faults of a file that goes by this name. The bytes of the file may be anything.
+/// Shows the faults of a file with this name. The bytes of the file may be anything.
 pub fn show(
     name: &str,
     file: &[u8],

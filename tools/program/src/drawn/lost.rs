@@ -40,7 +40,7 @@ impl Lost {
         (lost != Lost::default()).then_some(lost)
     }
 
-    /// `A change in the drawing rewrites this text and loses: 2 lines of comments, such as “pump of the well”`
+    /// `Changes in the drawing remove this from the text: 2 lines of comments, such as “pump of the well”`
     pub fn text(&self, lang: Lang) -> String {
         let types = self.types.then(|| words::lost_types(lang));
         let dialect = self

@@ -25,7 +25,7 @@ unoclp_words::messages! {
     constant() "the constant" "a constante";
     popped() "value (the pushed value comes first)" "valor (o empilhado vem antes)";
     to_registers(first) "to {first} onwards" "a partir de {first}";
-    so_many_registers() "number of registers" "o número de registradores";
+    so_many_registers() "number of registers" "número de registradores";
     so_many_steps() "number of steps" "número de passos";
     outputs_of(step) "step {step}: outputs 01 02 03 04" "passo {step}: saídas 01 02 03 04";
     from_this() "input: from this …" "entrada: deste valor …";

@@ -39,7 +39,7 @@ impl Memory {
 }
 
 impl Board for Memory {
-    fn find(&mut self, _: u8, _: bool) -> Result<(), String> {
+    fn find(&mut self, _: u8) -> Result<(), String> {
         match self.0.lock().unwrap().is_there {
             true => Ok(()),
             false => Err("unplugged".into()),
@@ -204,7 +204,7 @@ impl Visitor {
         }
     }
 
-    /// Sends a request; gives the answer without its check sum.
+    /// Sends a request; gives the answer without its checksum.
     pub fn ask(&mut self, request: &Request) -> Vec<u8> {
         let frame = request.bytes().to_vec();
         self.0.send(Message::binary(frame)).unwrap();

@@ -48,7 +48,7 @@ fn a_line_may_be_another_gateway() {
 fn a_board_that_is_not_behind_a_server_is_told_why() {
     use unoclp_serve::Board;
     let site = Site::new(Vec::new());
-    let find = |server: String, address| Remote::new(server, told).find(address, false);
+    let find = |server: String, address| Remote::new(server, told).find(address);
     let server = site.modbus.to_string();
     assert_eq!(find(server.clone(), 1), Ok(()));
     assert_eq!(find(server.clone(), 9), Err("silent 9".into()));

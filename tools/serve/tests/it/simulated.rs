@@ -76,7 +76,7 @@ impl DerefMut for One<'_> {
 }
 
 impl unoclp_serve::Board for Simulated {
-    fn find(&mut self, address: u8, _: bool) -> Result<(), String> {
+    fn find(&mut self, address: u8) -> Result<(), String> {
         let boards = self.0.lock().unwrap();
         match boards.boards.contains_key(&address) && !boards.is_unplugged {
             true => Ok(()),

@@ -7,6 +7,7 @@ import { speak, told, translate } from "../../words/words";
 import { asked } from "../asked";
 import type { Looked } from "../document";
 import { h } from "../dom";
+import { keep, kept } from "../kept";
 import type { Around, ChartPane } from "../sfc/pane";
 import { Body } from "./body";
 import type { Past } from "./past";
@@ -14,6 +15,11 @@ import { Table } from "./table";
 
 /** What is changed of a unit. */
 export type Altered = Pick<Ask<"alter">, "what" | "at" | "to">;
+
+/** What the browser keeps: whether the variables stand above the body, or are folded away. */
+const FOLD = "variables";
+/** On a phone there is room for one of both. */
+const PHONE = "(max-width: 760px)";
 
 /** How the standard calls a unit. */
 const KINDS: Readonly<Record<string, string>> = { program: "PROGRAM", functionBlock: "FUNCTION_BLOCK", function: "FUNCTION" };
@@ -24,6 +30,7 @@ export class ProjectPane {
   private readonly mistakes = h("ul", { class: "problems", id: "project-problems" });
   private readonly undo = h("button", { type: "button", id: "project-undo", "data-say-label": "projectUndo", click: () => void this.back("undo") }, "↶");
   private readonly redo = h("button", { type: "button", id: "project-redo", "data-say-label": "projectRedo", click: () => void this.back("redo") }, "↷");
+  private readonly fold = h("button", { type: "button", class: "fold", id: "project-variables", "aria-controls": "project-table", "data-say": "projectVariables", click: () => this.turn() });
   private readonly pane: HTMLElement;
   private readonly table: Table;
   private readonly body: Body;
@@ -44,8 +51,9 @@ export class ProjectPane {
     this.body = new Body(around, chart, alter, (way) => void this.back(way));
     this.pane = h("section", { class: "project-pane", id: "project-pane", "data-say-label": "project" },
       h("div", { class: "project-side" }, h("div", { class: "bar" }, this.undo, this.redo), this.tree),
-      h("div", { class: "project-open" }, this.heading, this.mistakes, this.table.root, this.body.root));
+      h("div", { class: "project-open" }, h("div", { class: "project-head" }, this.heading, this.fold), this.mistakes, this.table.root, this.body.root));
     root.prepend(this.pane);
+    this.unfold(kept(FOLD) === null ? !matchMedia(PHONE).matches : kept(FOLD) === "open");
     this.pane.addEventListener("keydown", (event) => {
       if (!(event.ctrlKey || event.metaKey) || (event.target as Element).matches("input, textarea, .paper")) return;
       if (event.key === "z") void this.back(event.shiftKey ? "redo" : "undo");
@@ -57,6 +65,18 @@ export class ProjectPane {
       translate(this.pane);
       this.build();
     });
+  }
+
+  /** Folds the variables away, or shows them again. */
+  private turn(): void {
+    const is = this.fold.getAttribute("aria-expanded") !== "true";
+    keep(FOLD, is ? "open" : "folded");
+    this.unfold(is);
+  }
+
+  private unfold(is: boolean): void {
+    this.fold.setAttribute("aria-expanded", String(is));
+    this.pane.toggleAttribute("data-folded", !is);
   }
 
   /** Shows the project of a text; null: the text is none. */
@@ -108,6 +128,10 @@ export class ProjectPane {
         shown, h("small", {}, note));
     this.tree.replaceChildren(h("b", {}, project?.name ?? ""), entry("", say("projectGlobals"), "VAR_GLOBAL", []),
       ...(project?.units ?? []).map((of) => entry(of.name, of.name, `${KINDS[of.kind] ?? ""} ${of.language}`, this.wrongIn(of))));
+    // Global variables stand alone.
+    this.pane.toggleAttribute("data-alone", unit === undefined);
+    // Where the units stand in one line, the one that is open is in view.
+    this.tree.scrollLeft = (this.tree.querySelector<HTMLElement>("[aria-current=true]")?.offsetLeft ?? 0) - this.tree.clientWidth / 4;
     this.heading.textContent = unit ? `${KINDS[unit.kind] ?? ""} ${unit.name}${unit.gives ? ` : ${unit.gives}` : ""}` : say("projectGlobals");
     this.mistakes.replaceChildren(...this.problems.map(({ severity, number, message, help }) => h("li", { class: severity }, `${number} ${told(message)} `, h("span", { class: "note" }, told(help)))));
     this.table.show(unit?.variables ?? project?.globals ?? [], unit !== undefined, this.problems);

@@ -30,6 +30,8 @@ const ACTS = [
   ["after", "chartAfter", "a"], ["before", "chartBefore", "i"], ["branch", "chartBranch", "b"], ["beside", "chartBeside", "p"],
   ["act", "chartAct", "q"], ["left", "chartLeft", "<"], ["right", "chartRight", ">"], ["remove", "chartRemove", "Delete"],
 ] as const;
+/** Those that a sign says, where a word would take the room of two. */
+const SIGNS: Readonly<Record<string, string>> = { left: "←", right: "→" };
 const ARROWS: Readonly<Record<string, readonly [x: number, y: number]>> = { ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
 /** What the browser keeps: the look of GRAFCET, or of IEC 61131-3. */
 const LOOK = "chart-look";
@@ -61,13 +63,14 @@ export class ChartPane {
     this.form = new Form((act) => void this.act(act), () => this.paper.focus());
     this.live = new LiveChart(this.paper, around.program, around.bench);
     const buttons = ACTS.map(([what, word, key]) =>
-      h("button", { type: "button", id: `chart-${what}`, "data-say": word, title: key, click: () => void this.act({ what }).then(() => this.paper.focus()) }));
+      h("button", { type: "button", id: `chart-${what}`, [SIGNS[what] ? "data-say-label" : "data-say"]: word, title: key, click: () => void this.act({ what }).then(() => this.paper.focus()) }, SIGNS[what] ?? ""));
     const look = h("button", { type: "button", id: "chart-look", "data-say": "chartLook", click: () => {
       keep(LOOK, this.look === "grafcet" ? "norm" : "grafcet");
       void this.turnTo(this.number);
     } });
     this.pane = h("section", { class: "chart-pane", id: "chart", "data-say-label": "chart" },
-      h("div", { class: "bar chart-bar" }, this.units, this.undo, this.redo, ...buttons, look), this.paper, this.form.root);
+      h("div", { class: "bar chart-bar" }, this.units, this.undo, this.redo, ...buttons, look),
+      h("div", { class: "chart-work" }, this.paper, this.form.root));
     this.paper.addEventListener("keydown", (event) => this.key(event));
     this.paper.addEventListener("click", (event) => {
       const part = (event.target as Element).closest<SVGElement>("[data-id]");

@@ -38,13 +38,13 @@ use unoclp_program::{WrittenIn, harmless_lines, shown};
 pub struct Class {
     /// The exercise: a scenario file with cases (.toml), or a folder of them
     exercise: PathBuf,
-    /// The programs, in any of the languages, and what was handed in; of a folder all below it
+    /// The programs, in any of the languages, and hand-ins, or folders that contain them
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// Print a table for a spreadsheet: comma-separated values
     #[arg(long)]
     csv: bool,
-    /// Print grades from 0 to 100 for the import of Moodle: a line for each student
+    /// Print grades from 0 to 100 for import into Moodle: a line for each student
     #[arg(long, conflicts_with = "csv")]
     moodle: bool,
     /// Write a page with each program as a ladder, and its first failing case as a timing diagram

@@ -24,10 +24,10 @@ pub struct What {
     /// The time from the start of one scan to the start of the next, in ms
     #[arg(long, value_name = "MS", default_value_t = 1)]
     every: u32,
-    /// Set a variable before the first scan, like an input
+    /// Set a variable, such as an input, before the first scan
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// Print one object in JSON
+    /// Print everything as one JSON object
     #[arg(long)]
     pub(super) json: bool,
 }
