@@ -14,7 +14,7 @@ const BYTES: u8 = if cfg!(mega) { 16 } else { 4 };
 pub struct Diagnosis {
     /// How many bytes of the linked program have been gone through.
     at: u16,
-    /// The check sum so far, and what it was when the program was taken into run memory.
+    /// The checksum so far, and what it was when the program was taken into run memory.
     sum: Crc16,
     expected: Crc16,
 }
@@ -52,7 +52,7 @@ impl Diagnosis {
         }
     }
 
-    /// All of the program has been gone through: its check sum is what it was.
+    /// All of the program has been gone through: its checksum is what it was.
     fn end(&mut self) -> Result<(), Cause> {
         self.at = 0;
         if mem::take(&mut self.sum) == self.expected {

@@ -27,7 +27,7 @@ pub struct Numbers {
     sequence: u8,
     /// The byte of the record that is written next; 0 where none is being written.
     at: u8,
-    /// The check sum of what has been written, and of nothing.
+    /// The checksum of what has been written, and of nothing.
     sum: Crc16,
     seed: Crc16,
     /// Counts steps: at each eighth the numbers are looked at.
@@ -131,7 +131,7 @@ impl Numbers {
         if self.at == self.size {
             self.at = 0;
         } else {
-            // After the numbers the check sum itself, which makes it 0.
+            // After the numbers the checksum itself, which makes it 0.
             let number = plc.snapshot().get(usize::from(self.at) - 1).copied();
             byte = number.unwrap_or(self.sum.to_be_bytes()[0]);
             self.sum = self.sum.then(byte);

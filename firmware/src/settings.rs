@@ -28,7 +28,7 @@ const EIGHTHS: u16 = (CLOCK_HZ / 8 / 100) as u16;
 /// an RS-485 driver; what the server refuses.
 #[repr(C)]
 pub struct Settings {
-    /// A word each, low byte first, and the check sum.
+    /// A word each, low byte first, and the checksum.
     bytes: [u8; BYTES],
     /// Whether they are as they are kept.
     kept: Kept,
@@ -75,7 +75,7 @@ impl Settings {
         eeprom.read(slot) == VALID && self.read(eeprom, slot + 1, BYTES)
     }
 
-    /// Takes what stands here, so many bytes with their check sum; says whether it is sound. Settings after it
+    /// Takes what stands here, so many bytes with their checksum; says whether it is sound. Settings after it
     /// are 0.
     #[inline(never)]
     fn read(&mut self, eeprom: &Eeprom, address: u16, bytes: usize) -> bool {

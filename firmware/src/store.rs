@@ -14,7 +14,7 @@ use unoclp_modbus::eeprom::program::{
     self, BLANK, HEAD, HEAD_BYTES, INVALID, LENGTH, MARK, STORED, SUM, VALID,
 };
 
-/// Bytes of the head and the check sum after it.
+/// Bytes of the head and the checksum after it.
 const HEADER: usize = HEAD_BYTES + 2;
 
 /// Keeps a program, unless it is the one that is kept. Only bytes that differ are written.
@@ -42,13 +42,13 @@ fn whole(eeprom: &Eeprom, header: &[u8; HEADER], stored: &[u8], write: bool) -> 
     pass(eeprom, HEAD, header, write) && pass(eeprom, STORED, stored, write)
 }
 
-/// A program that is kept and has been checked: what is known of it since. Its check sum is compared
+/// A program that is kept and has been checked: what is known of it since. Its checksum is compared
 /// again whenever it is linked.
 #[derive(Clone, Copy)]
 pub struct Kept {
     /// Bytes of the stored form.
     pub length: u16,
-    /// The check sum of the header and of the program.
+    /// The checksum of the header and of the program.
     pub sum: u16,
     /// How many codes its file had.
     pub codes: u16,
@@ -80,7 +80,7 @@ fn restore(eeprom: &Eeprom, loader: &mut Loader<'_, Uno>) -> Option<Kept> {
     let mut stored = (STORED..STORED + length).map(|address| eeprom.read(address));
     loader.restore(&mut stored).ok()?;
     let program = loader.finish().ok()?;
-    // Its bytes have just come from there: only the check sum can differ.
+    // Its bytes have just come from there: only the checksum can differ.
     pass(eeprom, HEAD, &header(program.stored()), false).then_some(Kept {
         length,
         sum,
@@ -131,7 +131,7 @@ impl Reader<'_> {
     }
 }
 
-/// The length of the program that is kept, in the high word, and its check sum; 0 where there is none.
+/// The length of the program that is kept, in the high word, and its checksum; 0 where there is none.
 #[inline(never)]
 pub fn kept(eeprom: &Eeprom) -> u32 {
     if eeprom.read(MARK) != VALID {
@@ -150,7 +150,7 @@ pub fn is_blank(eeprom: &Eeprom) -> bool {
     eeprom.read(MARK) == BLANK
 }
 
-/// The head and the check sum.
+/// The head and the checksum.
 fn header(stored: &[u8]) -> [u8; HEADER] {
     let mut header = [0; HEADER];
     let [head @ .., low, high] = &mut header;

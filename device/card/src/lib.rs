@@ -81,11 +81,9 @@ impl<E: fmt::Display> fmt::Display for Error<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Error::Device(error) => write!(f, "the card cannot be read: {error}"),
-            Error::NoVolume => f.write_str("the card is not FAT16 or FAT32; format it so"),
+            Error::NoVolume => f.write_str("the card is not FAT16 or FAT32; format it"),
             Error::NotFound => f.write_str("no such file in the root folder of the card"),
-            Error::Damaged => {
-                f.write_str("the card's FAT makes no sense; check or format the card")
-            }
+            Error::Damaged => f.write_str("the card's FAT is damaged; check or format the card"),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The check sum that tells whether a program is still the one that was accepted.
+//! The checksum that tells whether a program is still the one that was accepted.
 
 /// CRC-16/CCITT with start value 0xFFFF (polynomial 0x1021), a byte at a time.
 ///
@@ -45,7 +45,7 @@ impl Crc16 {
         *self = self.and(bytes);
     }
 
-    // Given and returned by value, a check sum stays in registers.
+    // Given and returned by value, a checksum stays in registers.
     #[inline(never)]
     fn and(mut self, bytes: &[u8]) -> Crc16 {
         for &byte in bytes {
@@ -54,17 +54,17 @@ impl Crc16 {
         self
     }
 
-    /// The check sum of the bytes so far.
+    /// The checksum of the bytes so far.
     pub fn value(self) -> u16 {
         u16::from_le_bytes([self.low, self.high])
     }
 
-    /// The check sum of the bytes so far, as memory cards send it: the high byte first.
+    /// The checksum of the bytes so far, as memory cards send it: the high byte first.
     pub const fn to_be_bytes(self) -> [u8; 2] {
         [self.high, self.low]
     }
 
-    /// The check sum of these bytes.
+    /// The checksum of these bytes.
     pub fn of(bytes: &[u8]) -> Crc16 {
         Crc16::default().and(bytes)
     }

@@ -10,7 +10,7 @@ use crate::isa::Opcode;
 pub const KEPT: u8 = 16;
 /// Bytes of a number.
 pub const NUMBER_BYTES: u8 = 4;
-/// Bytes of a record beside its numbers: a sequence number and a check sum.
+/// Bytes of a record beside its numbers: a sequence number and a checksum.
 pub const RECORD_BYTES: u8 = 3;
 /// So many minutes after it was last written, a place of a board's memory may be written again: 3,156 s make
 /// 100,000 writings in ten years.

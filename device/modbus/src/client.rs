@@ -8,7 +8,7 @@ use crate::{Crc, Exception, FRAME_BYTES, Frame, Table};
 /// The most words that one request writes (section 6.12).
 pub const MOST_WORDS: usize = 123;
 
-/// A request with its check sum, as it is sent.
+/// A request with its checksum, as it is sent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Request {
     frame: Frame,
@@ -51,7 +51,7 @@ impl Request {
         Request::of([server, FUNCTION, READ_DEVICE_IDENTIFICATION, 1, 0])
     }
 
-    /// The request that another client has sent, whole; `None` for a frame with a bad check sum, or one too short or too
+    /// The request that another client has sent, whole; `None` for a frame with a bad checksum, or one too short or too
     /// long for a request. What it asks for is for the server to judge.
     pub fn forwarded(frame: &[u8]) -> Option<Request> {
         let fits = (4..=FRAME_BYTES).contains(&frame.len());
@@ -90,7 +90,7 @@ impl Request {
         [body[0], body[1], body[2], low, high]
     }
 
-    /// Puts the check sum after the bytes, which leave room for it.
+    /// Puts the checksum after the bytes, which leave room for it.
     fn of(bytes: impl IntoIterator<Item = u8>) -> Request {
         let mut frame = [0; FRAME_BYTES];
         let (body, _) = frame.split_at_mut(FRAME_BYTES - 2);
@@ -214,7 +214,7 @@ impl<'r> Iterator for Texts<'r> {
     }
 }
 
-/// How many bytes an answer that begins so has, its check sum among them; `None` while that is not told yet.
+/// How many bytes an answer that begins so has, its checksum among them; `None` while that is not told yet.
 fn length(came: &[u8]) -> Option<usize> {
     let &[_, function, third, ..] = came else {
         return None;

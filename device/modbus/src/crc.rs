@@ -1,4 +1,4 @@
-//! The check sum of a Modbus RTU frame.
+//! The checksum of a Modbus RTU frame.
 
 /// CRC-16/MODBUS (polynomial 0x8005 reflected, start value 0xFFFF), a byte at a time. Over
 /// `123456789` it is 0x4B37.
@@ -41,19 +41,19 @@ impl Crc {
         }
     }
 
-    /// The check sum of these bytes.
+    /// The checksum of these bytes.
     pub fn of(bytes: &[u8]) -> Crc {
         let mut crc = Crc::default();
         crc.extend(bytes);
         crc
     }
 
-    /// The check sum of the bytes so far.
+    /// The checksum of the bytes so far.
     pub const fn value(self) -> u16 {
         u16::from_le_bytes(self.to_bytes())
     }
 
-    /// The check sum of the bytes so far, as it is sent.
+    /// The checksum of the bytes so far, as it is sent.
     pub const fn to_bytes(self) -> [u8; 2] {
         [self.low, self.high]
     }

@@ -49,7 +49,7 @@ pub mod program {
     pub const HEAD_BYTES: usize = 5;
     /// Where the length stands.
     pub const LENGTH: u16 = HEAD + 1;
-    /// Where the check sum stands.
+    /// Where the checksum stands.
     pub const SUM: u16 = HEAD + HEAD_BYTES as u16;
     /// Where the stored form begins.
     pub const STORED: u16 = SUM + 2;
@@ -63,7 +63,7 @@ pub mod program {
         [VERSION, low, high, 0, 0]
     }
 
-    /// The check sum of a program's head and stored form.
+    /// The checksum of a program's head and stored form.
     #[inline(always)]
     pub fn sum(stored: &[u8]) -> Crc16 {
         let mut sum = Crc16::of(&head(stored.len() as u16));
@@ -78,7 +78,7 @@ pub mod program {
 /// | --- | --- |
 /// | 0 | sequence number: by one higher than that of the record before, wrapping |
 /// | 1 … | the numbers in the program's order, 4 bytes each, low byte first |
-/// | last two | CRC-16 of these, high byte first, that begins with the check sum of the program |
+/// | last two | CRC-16 of these, high byte first, that begins with the checksum of the program |
 ///
 /// The CRC-16 of a whole record is 0. The sequence number is written last: until then the record does not count. Of
 /// those that count, the newest is the one whose number is ahead of the others by less than 128. The next record goes
@@ -106,7 +106,7 @@ pub mod numbers {
 /// | 1 … | the settings in the order of their registers: a word each, low byte first |
 /// | last two | CRC-16 of these, high byte first |
 ///
-/// A slot is sound where its mark is valid and its check sum right. The first one counts if it is sound, else the second,
+/// A slot is sound where its mark is valid and its checksum right. The first one counts if it is sound, else the second,
 /// which the first is written from at the next start, and the other way round. So one that is damaged opens no lock. New
 /// settings go to the second slot, then to the first: wherever the supply fails, the old ones count or the new ones.
 /// Without a sound slot the form of 0.1.0 counts, which had one place, four settings, and no mark; and without that the
@@ -118,11 +118,11 @@ pub mod settings {
     pub const OLD: u16 = program::END;
     /// How many there were.
     const OLD_SETTINGS: usize = 4;
-    /// Bytes of theirs, with the check sum.
+    /// Bytes of theirs, with the checksum.
     pub const OLD_BYTES: usize = 2 * OLD_SETTINGS + 2;
     /// Bytes of the values.
     pub const VALUES: usize = 2 * setting::ALL.len();
-    /// Bytes of the values and the check sum.
+    /// Bytes of the values and the checksum.
     pub const BYTES: usize = VALUES + 2;
     /// Bytes of a slot.
     pub const SLOT_BYTES: u16 = 1 + BYTES as u16;

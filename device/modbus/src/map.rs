@@ -173,13 +173,13 @@ spans! {
         /// ms since the start, wrapping.
         UPTIME = 22, 1, Long, Rights::Read, "uptime";
         /// The last, the least and the most scan time, µs; 32767 for more.
-        SCAN_TIMES = 24, 3, Word, Rights::Read, "scan time: last, least, most";
+        SCAN_TIMES = 24, 3, Word, Rights::Read, "scan time: last, minimum, maximum";
         /// Bytes that the stack has never used.
         FREE_STACK = 27, 1, Word, Rights::Read, "free stack";
         /// Bytes of the stored form of the program.
         PROGRAM_BYTES = 28, 1, Word, Rights::Read, "bytes of the program in its stored form";
-        /// The check sum of [`eeprom::program`](crate::eeprom::program).
-        PROGRAM_SUM = 29, 1, Word, Rights::Read, "its check sum";
+        /// The checksum of [`eeprom::program`](crate::eeprom::program).
+        PROGRAM_SUM = 29, 1, Word, Rights::Read, "its checksum";
         /// The reading of the 1.1 V reference.
         SUPPLY = 30, 1, Word, Rights::Read, "supply";
         /// Restarts since power-up.
@@ -207,17 +207,17 @@ spans! {
         /// Which inputs are forced, bit 0 input 01.
         FORCED_INPUTS = 402, 1, Word, Rights::Write(locks::WRITING), "inputs forced";
         /// To what the inputs are forced.
-        INPUTS_TO = 403, 1, Word, Rights::Write(locks::WRITING), "to what";
+        INPUTS_TO = 403, 1, Word, Rights::Write(locks::WRITING), "values of the forced inputs";
         /// Which outputs are forced, bit 0 output 01.
         FORCED_OUTPUTS = 404, 1, Word, Rights::Write(locks::WRITING), "outputs forced";
         /// To what the outputs are forced.
-        OUTPUTS_TO = 405, 1, Word, Rights::Write(locks::WRITING), "to what";
+        OUTPUTS_TO = 405, 1, Word, Rights::Write(locks::WRITING), "values of the forced outputs";
         /// So many seconds without a request end all forcing; 0: none do.
         FORCING_ENDS = 406, 1, Word, Rights::Write(locks::WRITING), "end of forcing";
         /// Which inputs above 16 are forced, bit 0 input 17; no board without them has it.
         FORCED_MORE = 407, BOARD.inputs > WORD_POINTS, Word, Rights::Write(locks::WRITING), "inputs 17–32 forced";
         /// To what those are forced.
-        MORE_TO = 408, BOARD.inputs > WORD_POINTS, Word, Rights::Write(locks::WRITING), "to what";
+        MORE_TO = 408, BOARD.inputs > WORD_POINTS, Word, Rights::Write(locks::WRITING), "values of these inputs";
         /// The settings: see [`setting`].
         SETTINGS = 410, setting::ALL.len(), Word, Rights::Write(locks::SETTINGS), "[settings](#settings)";
         /// Blocks of an upload: a word with the block's number and size, then its text.

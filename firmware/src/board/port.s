@@ -1,9 +1,9 @@
 ; The interrupts of the serial port while it serves Modbus: a byte has come, the next may go, the last
-; has gone. The check sum is built with each byte, both ways. Each takes about 100 cycles, the last 15, and
+; has gone. The checksum is built with each byte, both ways. Each takes about 100 cycles, the last 15, and
 ; the first byte of a frame 30 more.
 ;
 ; PORT_FRAME is where the frame stands, PORT_AT how many bytes of it have come or gone, 255 at most, PORT_OVER
-; how many came behind these, PORT_END how many are to go, before the check sum. Timer 2 runs since the last
+; how many came behind these, PORT_END how many are to go, before the checksum. Timer 2 runs since the last
 ; byte that has come; its flag OCF2A says that a frame has ended: the next byte begins another, unless that
 ; frame is for this server and waits for a scan to end.
 
@@ -48,7 +48,7 @@
 port_take:
         rcall   port_check
         rjmp    port_done
-port_full:                      ; byte 256 is the last of the check sum, and needs no place
+port_full:                      ; byte 256 is the last of the checksum, and needs no place
         lds     r24, PORT_OVER
         inc     r24
         sts     PORT_OVER, r24
@@ -118,7 +118,7 @@ port_last:
         .global port_is_ours
 port_is_ours:
         lds     r24, PORT_AT
-        cpi     r24, 4          ; address, function and check sum
+        cpi     r24, 4          ; address, function and checksum
         brlo    1f
         lds     r24, PORT_OVER
         lsr     r24             ; one byte over is sound
@@ -149,7 +149,7 @@ port_place:
         inc     r31
 1:      ret
 
-; Takes byte r25 into the check sum, as `unoclp_modbus::Crc` does: x is the byte xor the low half,
+; Takes byte r25 into the checksum, as `unoclp_modbus::Crc` does: x is the byte xor the low half,
 ; p whether its bits are odd. The sum becomes (p:x:0) >> 1 xor (p:x:0) >> 2 xor the high half xor p.
 ; Uses r24, r25 and Z.
 port_check:

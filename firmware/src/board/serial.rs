@@ -54,7 +54,7 @@ static FRAME: Shared<usize> = Shared::new(0);
 /// How many bytes of it have come or gone, 255 at most; 0 while nothing goes on.
 #[unsafe(export_name = "PORT_AT")]
 static AT: Shared<u8> = Shared::new(0);
-/// How many are to go, without the check sum.
+/// How many are to go, without the checksum.
 #[unsafe(export_name = "PORT_END")]
 static END: Shared<u8> = Shared::new(0);
 /// 1 where byte 256 has come; 2 where a byte was damaged, or one too many.
@@ -166,7 +166,7 @@ impl Serial {
         AT.get() == 0
     }
 
-    /// The length of a frame for this server that has ended, without its check sum: it stands in the
+    /// The length of a frame for this server that has ended, without its checksum: it stands in the
     /// frame, and the port is deaf until [`send`](Serial::send). Any other frame that has ended is dropped.
     ///
     /// The receiver goes on meanwhile, so a frame that has just begun after another station's loses
@@ -190,7 +190,7 @@ impl Serial {
         None
     }
 
-    /// Sends so many bytes of the frame, and the check sum, and listens again. Nobody may change the frame
+    /// Sends so many bytes of the frame, and the checksum, and listens again. Nobody may change the frame
     /// until then. Listens at once where there are none, and where the request was a broadcast, which nobody
     /// answers.
     pub fn send(&self, frame: &Frame, length: u8) {

@@ -6,7 +6,7 @@ use super::pins::Pins;
 /// Clock bytes with the card not selected before the first command: at least 74 clocks
 /// (SD Physical Layer Simplified Specification, 6.4.1).
 const WAKE_BYTES: u8 = 10;
-/// Enough to end what a card may be in the middle of: a block, its check sum, and an answer.
+/// Enough to end what a card may be in the middle of: a block, its checksum, and an answer.
 const PACKET_BYTES: u16 = 512 + 2 + 8;
 
 /// The SPI bus with its one device, the card.

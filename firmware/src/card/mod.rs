@@ -81,7 +81,7 @@ fn check(card: &mut Card<'_>, loader: &mut Loader<'_, Uno>) -> Result<(), Cause>
     Ok(())
 }
 
-/// One passage through the file: gives its check sum, and whether the loader has taken all of it.
+/// One passage through the file: gives its checksum, and whether the loader has taken all of it.
 #[inline(never)]
 fn pass(
     card: &mut Card<'_>,

@@ -8,7 +8,7 @@
 ;   r16      its first stored byte
 ;   r17      its number
 ;
-; What calls `next` keeps nothing in r18-r27 and Z. Bytes that are missing are 0: the check sum
+; What calls `next` keeps nothing in r18-r27 and Z. Bytes that are missing are 0: the checksum
 ; tells, at the end.
 
 ; What has been read and not been put yet, because it depends on what follows: a rung has begun, and acc

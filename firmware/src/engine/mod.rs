@@ -2,7 +2,7 @@
 //!
 //! Owns the linked form of a program and what runs it; must not know pins or clocks. Its `unsafe` is
 //! the call of the linker in [`link`]. A [scan](crate::scan) relies on this of linked code, which [`link`] alone
-//! makes, out of a checked program whose check sum it compares:
+//! makes, out of a checked program whose checksum it compares:
 //!
 //! - **Each byte is that of a handler, or one of the operands that the handler before it takes.**
 //!   Points are cut to those that have a handler.

@@ -19,11 +19,11 @@ const PATIENCE: u16 = 10_000;
 pub struct Upload<'m> {
     /// The number of the last block, before the first none.
     last: Option<u8>,
-    /// The check sum of its text.
+    /// The checksum of its text.
     last_sum: Crc16,
     /// When the client is taken to have left.
     until: Deadline,
-    /// The check sum of the text so far, and of all of it when it came for the first time.
+    /// The checksum of the text so far, and of all of it when it came for the first time.
     sum: Crc16,
     first: Option<Crc16>,
     /// How many bytes of text the block in the frame has, which is still to be loaded.

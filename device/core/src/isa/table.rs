@@ -23,7 +23,7 @@ use super::{Class, Kind, Row};
 #[macro_export]
 macro_rules! instructions {
     ($consumer:ident $($before:tt)*) => { $consumer! { $($before)*
-        NewRung           None     Rung         787600    "NL"   0x01 0 "new rung: acc := 1; the branch points of the rung before are forgotten"
+        NewRung           None     Rung         787600    "NL"   0x01 0 "new rung: acc := 1; the branch points of the previous rung are cleared"
             "" "";
         OpenBranch        None     OpenOr       40        "("    0x02 0 "open an OR branch: push acc; acc := 1"
             "OR" "";
@@ -35,9 +35,9 @@ macro_rules! instructions {
             "TOF" "TOF";
         Not               None     Logic        787984    "NOT"  0x06 0 "acc := NOT acc"
             "NOT" "NOT";
-        RisingEdge        None     Logic        6985      "EU"   0x07 1 "acc := 1 if acc has risen since the scan before"
+        RisingEdge        None     Logic        6985      "EU"   0x07 1 "acc := 1 if acc has risen since this code was last reached"
             "EU" "P";
-        FallingEdge       None     Logic        6968      "ED"   0x08 1 "acc := 1 if acc has fallen since the scan before"
+        FallingEdge       None     Logic        6968      "ED"   0x08 1 "acc := 1 if acc has fallen since this code was last reached"
             "ED" "N";
         OpenAnd           None     OpenAnd      6540      "A("   0x09 0 "open an AND block: push acc; acc := 1"
             "AND" "";
@@ -49,7 +49,7 @@ macro_rules! instructions {
             "RETCN" "<RET>";
         Negate            None     Operation    786971    "NEG"  0x0D 0 "value := -value"
             "NEG" "NEG";
-        SquareRoot        None     Operation    838182    "SQR"  0x0E 0 "value := whole square root of value; of a negative one 0, and S 04 := 1"
+        SquareRoot        None     Operation    838182    "SQR"  0x0E 0 "value := integer square root of value; if negative: 0, and S 04 := 1"
             "SQRT" "SQR";
         Pulse             Timer    Timer        8480      "TP"   0x0F 0 "pulse timer: IN = acc; acc := Q; output := Q"
             "TP" "TP";
@@ -57,9 +57,9 @@ macro_rules! instructions {
             "XX" "XX";
         InputContactNot   Input    Contact      -827300   "-RI"  0x20 0 "contact, normally closed: acc := acc AND NOT input XX"
             "XX" "XX";
-        OutputContact     Output   Contact      827900    "RO"   0x30 0 "contact: acc := acc AND output XX, as the image stands now"
+        OutputContact     Output   Contact      827900    "RO"   0x30 0 "contact: acc := acc AND output XX, as it is now in the image"
             "XX" "XX";
-        OutputContactNot  Output   Contact      -827900   "-RO"  0x40 0 "contact: acc := acc AND NOT output XX, as the image stands now"
+        OutputContactNot  Output   Contact      -827900   "-RO"  0x40 0 "contact: acc := acc AND NOT output XX, as it is now in the image"
             "XX" "XX";
         Coil              Output   Coil         877900    "WO"   0x50 0 "coil: output XX := acc"
             "ST XX" "";
@@ -67,9 +67,9 @@ macro_rules! instructions {
             "S XX" "S";
         ResetCoil         Output   Coil         82877900  "RWO"  0x70 0 "reset coil: if acc = 1, output XX := 0"
             "R XX" "R";
-        StoreBranch       Branch   StorePoint   404100    "()"   0x80 0 "OR store: remember acc as branch point XX"
+        StoreBranch       Branch   StorePoint   404100    "()"   0x80 0 "OR store: store acc as branch point XX"
             "" "";
-        RecallBranch      Branch   RecallPoint  404100    "()"   0x90 0 "as the very next code after 40, 6540 or 8840: acc := what branch point XX remembers"
+        RecallBranch      Branch   RecallPoint  404100    "()"   0x90 0 "as the very next code after 40, 6540 or 8840: acc := the stored value of branch point XX"
             "" "";
         RetentiveOnDelay  Timer    Timer        847982    "TOR"  0xA0 0 "retentive on-delay timer: IN = acc; acc := Q; output := Q"
             "TONR" "TOR";
@@ -99,9 +99,9 @@ macro_rules! instructions {
             "XOR XX" "XOR XX";
         XorInputNot       Input    Xor          -887300   "-XI"  0xAD 0 "acc := acc XOR NOT input XX"
             "XORN XX" "XOR /XX";
-        XorOutput         Output   Xor          887900    "XO"   0xAE 0 "acc := acc XOR output XX, as the image stands now"
+        XorOutput         Output   Xor          887900    "XO"   0xAE 0 "acc := acc XOR output XX, as it is now in the image"
             "XOR XX" "XOR XX";
-        XorOutputNot      Output   Xor          -887900   "-XO"  0xAF 0 "acc := acc XOR NOT output XX, as the image stands now"
+        XorOutputNot      Output   Xor          -887900   "-XO"  0xAF 0 "acc := acc XOR NOT output XX, as it is now in the image"
             "XORN XX" "XOR /XX";
         XorMarker         Marker   Xor          887700    "XM"   0xB0 0 "acc := acc XOR marker XX"
             "XOR XX" "XOR XX";
@@ -147,7 +147,7 @@ macro_rules! instructions {
             "XX" "ST XX";
         StoreCount        Counter  Store        83846700  "STC"  0xC5 0 "if acc = 1, counter XX := value"
             "XX.CV" "ST XX";
-        StorePwm          Pwm      Store        83848000  "STP"  0xC6 0 "if acc = 1, PWM of output XX := value, cut to 0 to 255"
+        StorePwm          Pwm      Store        83848000  "STP"  0xC6 0 "if acc = 1, PWM of output XX := value, limited to 0 to 255"
             "XX" "ST PWM XX";
         StoreMarkers      Group    Store        83847700  "STM"  0xC7 0 "if acc = 1, eight markers := the low bits of value"
             "XX" "ST XX";
@@ -163,9 +163,9 @@ macro_rules! instructions {
             "SUB operand" "SUB operand";
         Multiply          Value    Operation    77857600  "MUL"  0xCD 0 "value := value * operand"
             "MUL operand" "MUL operand";
-        Divide            Value    Operation    68738600  "DIV"  0xCE 0 "value := value / operand, without the fraction; by 0: 0, and S 04 := 1"
+        Divide            Value    Operation    68738600  "DIV"  0xCE 0 "value := value / operand, without the fraction; division by 0: 0, and S 04 := 1"
             "DIV operand" "DIV operand";
-        Modulo            Value    Operation    77796800  "MOD"  0xCF 0 "value := rest of value / operand; by 0: 0, and S 04 := 1"
+        Modulo            Value    Operation    77796800  "MOD"  0xCF 0 "value := remainder of value / operand; division by 0: 0, and S 04 := 1"
             "MOD operand" "MOD operand";
         AndWord           Value    Operation    65786800  "AND"  0xD0 0 "value := value AND operand, bit by bit"
             "AND operand" "AND operand";
@@ -175,7 +175,7 @@ macro_rules! instructions {
             "XOR operand" "XOR operand";
         ShiftLeft         Bit      Operation    83727600  "SHL"  0xD3 0 "value := value shifted left by XX bits"
             "SHL XX" "SHL XX";
-        ShiftRight        Bit      Operation    83728200  "SHR"  0xD4 0 "value := value shifted right by XX bits; zeros come in"
+        ShiftRight        Bit      Operation    83728200  "SHR"  0xD4 0 "value := value shifted right by XX bits; zeros are shifted in"
             "SHR XX" "SHR XX";
         Greater           Value    Comparison   718400    "GT"   0xD5 0 "comparison: acc := acc AND (value > operand)"
             "GT operand" "value > operand";
@@ -195,7 +195,7 @@ macro_rules! instructions {
             "" "value.XX";
         Move              Move     Store        77798600  "MOV"  0xDD 0 "block move: if acc = 1, copy registers from XX on"
             "" "MOV operand";
-        Drum              Drum     Store        68827700  "DRM"  0xDE 0 "sequencer: if acc = 1, outputs 01-04 := the step that register XX tells"
+        Drum              Drum     Store        68827700  "DRM"  0xDE 0 "sequencer: if acc = 1, outputs 01-04 := the step selected by register XX"
             "" "DRM XX";
         Scale             Scale    Operation    836776    "SCL"  0xDF 0 "linear scaling: value := value from one range to another"
             "" "SCL operand";
@@ -205,15 +205,15 @@ macro_rules! instructions {
             "" "INT XX";
         InputFilter       Time     Setting      707300    "FI"   0xE2 0 "input filter: an input must keep a level for XX ms"
             "" "INPUT FILTER XX ms";
-        Label             Label    Label        766600    "LB"   0xE3 0 "label XX, at the head of a rung"
+        Label             Label    Label        766600    "LB"   0xE3 0 "label XX, at the start of a rung"
             "" "";
-        Jump              Jump     Leave        74778000  "JMP"  0xE4 0 "jump: if acc = 1, go on at label XX"
+        Jump              Jump     Leave        74778000  "JMP"  0xE4 0 "jump: if acc = 1, continue at label XX"
             "JMPC XX" ">> XX";
-        JumpNot           Jump     Leave        -74778000 "-JMP" 0xE5 0 "jump: if acc = 0, go on at label XX"
+        JumpNot           Jump     Leave        -74778000 "-JMP" 0xE5 0 "jump: if acc = 0, continue at label XX"
             "JMPCN XX" ">> XX";
-        KeepRegister      Register Setting      756800    "KD"   0xE6 6 "register XX is kept over STOP and over a power cut"
+        KeepRegister      Register Setting      756800    "KD"   0xE6 6 "register XX is kept through STOP and a power cut"
             "" "KEEP XX";
-        KeepCounter       Counter  Setting      756700    "KC"   0xE7 6 "the number of counter XX is kept over STOP and over a power cut"
+        KeepCounter       Counter  Setting      756700    "KC"   0xE7 6 "the count of counter XX is kept through STOP and a power cut"
             "" "KEEP XX";
         Push              None     Operation    808372    "PSH"  0xE8 0 "push value; an operation with number 99 takes it as its left operand"
             "PUSH" "PUSH";
@@ -225,11 +225,11 @@ macro_rules! instructions {
             "REAL_MUL operand" "REAL MUL operand";
         RealDivide        Real     Operation    82687300  "RDI"  0xEC 0 "REAL: value := value / operand; not finite: 0, and S 04 := 1"
             "REAL_DIV operand" "REAL DIV operand";
-        RealFromSigned    None     Operation    738482    "ITR"  0xED 0 "value := value, a whole number with a sign, as a REAL"
+        RealFromSigned    None     Operation    738482    "ITR"  0xED 0 "value := value, a signed integer, as a REAL"
             "DINT_TO_REAL" "DINT_TO_REAL";
-        RealFromUnsigned  None     Operation    858482    "UTR"  0xEE 0 "value := value, a whole number without a sign, as a REAL"
+        RealFromUnsigned  None     Operation    858482    "UTR"  0xEE 0 "value := value, an unsigned integer, as a REAL"
             "UDINT_TO_REAL" "UDINT_TO_REAL";
-        RealRound         None     Operation    827868    "RND"  0xEF 0 "value := value, a REAL, as the nearest whole number, halves to even; beyond 32 bits: 0, and S 04 := 1"
+        RealRound         None     Operation    827868    "RND"  0xEF 0 "value := value, a REAL, as the nearest whole number, ties to even; beyond 32 bits: 0, and S 04 := 1"
             "REAL_TO_DINT" "REAL_TO_DINT";
         RealCut           None     Operation    848267    "TRC"  0xF0 0 "value := value, a REAL, without its fraction; beyond 32 bits: 0, and S 04 := 1"
             "TRUNC" "TRUNC";
@@ -237,29 +237,29 @@ macro_rules! instructions {
             "REAL_NEG" "REAL NEG";
         RealAbsolute      None     Operation    826566    "RAB"  0xF2 0 "REAL: value := value without its sign"
             "REAL_ABS" "REAL ABS";
-        RealRoot          None     Operation    828284    "RRT"  0xF3 0 "REAL: value := square root of value; of a negative one 0, and S 04 := 1"
+        RealRoot          None     Operation    828284    "RRT"  0xF3 0 "REAL: value := square root of value; if negative: 0, and S 04 := 1"
             "REAL_SQRT" "REAL SQRT";
-        RealComparable    None     Operation    677782    "CMR"  0xF4 0 "value := a whole number that compares with others as the REAL did"
+        RealComparable    None     Operation    677782    "CMR"  0xF4 0 "value := an integer that keeps the order of the REAL numbers"
             "REAL_ORDER" "REAL ORDER";
-        LoadTable         Table    Operation    76688800  "LDX"  0xF5 0 "value := register XX + value; outside the table 0, and S 04 := 1"
+        LoadTable         Table    Operation    76688800  "LDX"  0xF5 0 "value := register XX + value; outside the table: 0, and S 04 := 1"
             "TABLE_LD operand" "TABLE operand";
-        StoreTable        Table    Store        83848800  "STX"  0xF6 0 "if acc = 1, register XX + the pushed value := value; outside the table S 04 := 1"
+        StoreTable        Table    Store        83848800  "STX"  0xF6 0 "if acc = 1, register XX + the pushed value := value; outside the table: S 04 := 1"
             "TABLE_ST operand" "ST TABLE operand";
         ExtendSign        Bit      Operation    83888400  "SXT"  0xF7 0 "value := its low XX bits, the highest of them as the sign"
             "SIGNED XX" "SIGNED XX";
         ExtendZero        Bit      Operation    90888400  "ZXT"  0xF8 0 "value := its low XX bits"
             "UNSIGNED XX" "UNSIGNED XX";
-        UnsignedDivide    Value    Operation    85688600  "UDV"  0xF9 0 "value := value / operand, both without signs; by 0: 0, and S 04 := 1"
+        UnsignedDivide    Value    Operation    85688600  "UDV"  0xF9 0 "value := value / operand, both unsigned; division by 0: 0, and S 04 := 1"
             "UDIV operand" "UDIV operand";
-        UnsignedModulo    Value    Operation    85777900  "UMO"  0xFA 0 "value := rest of value / operand, both without signs; by 0: 0, and S 04 := 1"
+        UnsignedModulo    Value    Operation    85777900  "UMO"  0xFA 0 "value := remainder of value / operand, both unsigned; division by 0: 0, and S 04 := 1"
             "UMOD operand" "UMOD operand";
-        UnsignedGreaterOrEqual Value Comparison 85716900  "UGE"  0xFB 0 "comparison: acc := acc AND (value >= operand), both without signs"
+        UnsignedGreaterOrEqual Value Comparison 85716900  "UGE"  0xFB 0 "comparison: acc := acc AND (value >= operand), both unsigned"
             "UGE operand" "value >= operand";
-        UnsignedLess      Value    Comparison   85768400  "ULT"  0xFC 0 "comparison: acc := acc AND (value < operand), both without signs"
+        UnsignedLess      Value    Comparison   85768400  "ULT"  0xFC 0 "comparison: acc := acc AND (value < operand), both unsigned"
             "ULT operand" "value < operand";
-        If                None     If           7370      "IF"   0xFD 0 "if acc = 1, go on here, else behind the ELS or END that belongs to it; a new rung"
+        If                None     If           7370      "IF"   0xFD 0 "if acc = 1, continue here, otherwise after the matching ELS or END; a new rung"
             "IF" "IF";
-        Else              None     Part         697683    "ELS"  0xFE 0 "from here on if acc at its IF was 0; a new rung"
+        Else              None     Part         697683    "ELS"  0xFE 0 "continue here if acc was 0 at the matching IF; a new rung"
             "ELSE" "ELSE";
         EndIf             None     Part         697868    "END"  0xFF 0 "the end of an IF; a new rung"
             "END_IF" "END_IF";

@@ -79,7 +79,7 @@ fn stored_bytes(row: &Row) -> String {
         Kind::Table => &[Line::Count],
         // The line of the file.
         Kind::Jump => return "4".to_owned(),
-        Kind::Drum => return "3 and 1 a step".to_owned(),
+        Kind::Drum => return "3, plus 1 per step".to_owned(),
         Kind::Value => return "2, constant 3, 4 or 6".to_owned(),
         // A constant of REAL has 1 or 2 bytes only as 0 or the least numbers.
         Kind::Real => return "2, constant 3, 4 or 6".to_owned(),

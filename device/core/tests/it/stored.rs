@@ -32,7 +32,17 @@ fn a_stored_program_comes_back() {
     let restored = loader.finish().unwrap();
     assert_eq!(restored.stored(), program.stored());
     assert_eq!(restored.codes(), program.codes());
-    assert_eq!(restored.timers(), program.timers());
+    assert_eq!([restored.timers(), program.timers()], [1, 1]);
+}
+
+/// Registers above 32 are there only if a code names one (NC-27): another XX above 32 is none.
+#[test]
+fn a_marker_makes_no_register() {
+    let mut memory = [0; 100];
+    let mut loader = Loader::new(&mut memory, Board::UNO);
+    let text = "0\n827764\n877901\n";
+    text.bytes().for_each(|byte| loader.push(byte).unwrap());
+    assert_eq!(loader.finish().unwrap().registers(), 32);
 }
 
 /// A tool shows where in the stored form an instruction begins.
@@ -105,7 +115,7 @@ fn brackets_and_pushed_values_are_checked_again() {
     }
 }
 
-/// Any byte may be anything: what comes back is refused, or the check sum of what was taken tells
+/// Any byte may be anything: what comes back is refused, or the checksum of what was taken tells
 /// whether it is the same program.
 #[test]
 fn a_damaged_stored_program_is_refused_or_itself() {

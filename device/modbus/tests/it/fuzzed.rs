@@ -8,7 +8,7 @@ pub fn hold(bytes: &[u8]) {
     let Some((&most, request)) = bytes.split_first() else {
         return;
     };
-    // Longer frames are given up before they are looked at; the check sum takes two bytes.
+    // Longer frames are given up before they are looked at; the checksum takes two bytes.
     let request = &request[..request.len().min(254)];
     assert!(compare(request, most), "{request:02x?}");
 }

@@ -14,7 +14,7 @@ fn refused_by(span: &Span) -> u8 {
         ("counter", lock::WRITING),
         ("inputs forced", lock::WRITING),
         ("outputs forced", lock::WRITING),
-        ("to what", lock::WRITING),
+        ("values of the forced", lock::WRITING),
         ("end of forcing", lock::WRITING),
         ("command", lock::COMMANDS),
         ("[settings]", lock::SETTINGS),

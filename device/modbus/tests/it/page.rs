@@ -187,7 +187,7 @@ fn the_page_has_the_states_bits_and_causes() {
 
     let bits = cell(input::FLAGS);
     let flags = [
-        (flag::STOP_SWITCH, "A5 is closed"),
+        (flag::STOP_SWITCH, "A5 is connected to GND"),
         (flag::STOPPED, "STOP by command"),
         (flag::FORCED, "something is forced"),
         (flag::UPLOAD, "an upload is in progress"),
@@ -213,7 +213,7 @@ fn the_page_has_the_commands_and_exceptions() {
     let commands: Vec<_> = [
         (Command::Run, "RUN"),
         (Command::Stop, "STOP"),
-        (Command::SingleScan, "one single scan"),
+        (Command::SingleScan, "a single scan"),
         (Command::Restart, "restart"),
         (Command::Upload, "begin an upload"),
     ]
@@ -252,7 +252,10 @@ fn the_page_has_the_settings() {
 fn the_page_has_the_window_and_the_stored_form() {
     assert!(PAGE.contains(&format!("1 to {BLOCK_BYTES}; the text follows")));
     let window = row("Holding registers", &addresses(holding::UPLOAD));
-    let only = format!("only function 16 from {} on", holding::UPLOAD.first);
+    let only = format!(
+        "only with function 16, and only starting at register {}",
+        holding::UPLOAD.first
+    );
     assert!(window[1].contains(&only), "{window:?}");
 
     let products = format!("product `{PRODUCT}`, `{NANO}` or `{MEGA}`");

@@ -3,15 +3,20 @@
 //! `UNOCLP_SEED` is the first seed.
 
 use crate::common;
+use crate::starts::Starts;
 use crate::typed::board::{errors, with_plc};
 use unoclp_core::{Board, Image, Inputs};
 use unoclp_host_sim::engine::{Cell, Engine};
 use unoclp_lang::{TextLanguage, compile_text};
 use unoclp_testing::chart::{Naive, sketch};
 use unoclp_testing::{Random, least, rounds};
-use unoclp_uno_sim::engine::{Clock, UnoEngine};
+use unoclp_uno_sim::Uno;
+use unoclp_uno_sim::avr8js::Avr8js;
+use unoclp_uno_sim::engine::{Clock, FirmwareEngine};
 
 const CHARTS: u32 = 500;
+/// There a chart takes longer.
+const ON_AVR8JS: u32 = 150;
 const SCANS: u32 = 20;
 
 /// Where the board keeps a symbol.
@@ -29,7 +34,7 @@ fn cell(place: &str) -> Option<Cell> {
 ///
 /// # Errors
 /// What differs.
-fn compared(uno: &mut UnoEngine, seed: u64) -> Result<Option<u32>, String> {
+fn compared<S: Starts>(uno: &mut FirmwareEngine<S>, seed: u64) -> Result<Option<u32>, String> {
     let chart = sketch(seed);
     let text = chart.text(false);
     let made = compile_text(&text, TextLanguage::St, Board::UNO);
@@ -40,7 +45,7 @@ fn compared(uno: &mut UnoEngine, seed: u64) -> Result<Option<u32>, String> {
     let (Some(tree), Some((mut checked, _))) = (made.tree, made.program) else {
         return Ok(None);
     };
-    let started = uno.start_kept(checked.program());
+    let started = S::start(uno, checked.program());
     let started = started.map_err(|error| format!("seed {seed}: {error}\n{text}"))?;
     if let Err(refusal) = started {
         return Err(format!("seed {seed}: refused, {refusal}\n{text}"));
@@ -101,9 +106,19 @@ fn compared(uno: &mut UnoEngine, seed: u64) -> Result<Option<u32>, String> {
 
 #[test]
 fn random_charts_are_alike_on_the_firmware() {
+    compare::<Uno>(CHARTS);
+}
+
+/// The same charts on avr8js, which the page runs the firmware on.
+#[test]
+fn random_charts_are_alike_on_avr8js() {
+    compare::<Avr8js>(ON_AVR8JS);
+}
+
+fn compare<S: Starts>(charts: u32) {
     let first = std::env::var("UNOCLP_SEED").map_or(1, |seed| seed.parse().expect("a number"));
-    let charts = rounds(CHARTS);
-    let mut uno = UnoEngine::new(common::firmware(), Clock::Lockstep).unwrap();
+    let charts = rounds(charts);
+    let mut uno = FirmwareEngine::<S>::new(common::firmware(), Clock::Lockstep).unwrap();
     let (mut ran, mut scans, mut wrong) = (0, 0, Vec::new());
     for seed in (first..).take(4 * charts as usize) {
         match compared(&mut uno, seed) {

@@ -40,6 +40,7 @@ mod slow;
 mod soak;
 mod stack;
 mod start_up;
+mod starts;
 mod state;
 mod state_led;
 mod state_power;

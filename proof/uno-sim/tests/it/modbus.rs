@@ -84,7 +84,7 @@ fn diagnostics() {
     let most = if BOARD.inputs > 16 { 64 } else { i32::MAX };
     let expected = uno.stack_free().min(most);
     assert!((-4..=24).contains(&(free - expected)), "{free} {expected}");
-    // Five codes after the start, and their check sum as in the EEPROM.
+    // Five codes after the start, and their checksum as in the EEPROM.
     let header = uno.read_eeprom(0, 8).unwrap();
     assert_eq!(told[12], 5);
     assert_eq!(told[13], u16::from_le_bytes([header[6], header[7]]));

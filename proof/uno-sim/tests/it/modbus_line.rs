@@ -49,7 +49,7 @@ fn what_is_wrong_gets_silence() {
         None
     );
     assert_eq!(exchange(&mut uno, &[vec![0; 300], whole].concat(), 4), None);
-    // A check sum that is right, and no function.
+    // A checksum that is right, and no function.
     assert_eq!(exchange(&mut uno, &with_crc(&[1]), 4), None);
     assert_answers(&mut uno, "after all that");
 }

@@ -378,7 +378,7 @@ fn stop_ends_an_upload_and_a_new_one_begins_anew() {
 #[test]
 fn a_board_without_a_program_takes_one_in_fault() {
     let mut uno = uno(Slot::Empty);
-    ms_until(&mut uno, &["wired?\r\n"]);
+    ms_until(&mut uno, &["D10 to D13\r\n"]);
     uno.run_ms(5).unwrap();
     assert_eq!(upload(&mut uno, ["0\n877917\n"; 2], 100), Err(4));
     assert_eq!(outcome(&mut uno), (false, 26, 2));

@@ -104,7 +104,7 @@ fn only_bytes_that_differ_are_written() {
     // Another board start with the same program: nothing.
     power_up(&mut uno, Slot::Card(card(OLD)));
     assert_eq!(uno.eeprom_writes().len(), first);
-    // One contact becomes another: that byte, the two of the check sum, and the mark twice.
+    // One contact becomes another: that byte, the two of the checksum, and the mark twice.
     power_up(&mut uno, Slot::Card(card(&OLD.replace("827302", "827303"))));
     let writes = &uno.eeprom_writes()[first..];
     assert!((4..=5).contains(&writes.len()), "{writes:?}");

@@ -8,7 +8,7 @@ use unoclp_uno_sim::Slot;
 /// Outputs 01 to 04 are on; then every instruction of the language.
 const EVERYTHING: &str = "0\n877901\n877902\n877903\n877904\n787600\n827301\n-827304\n787600\n827301\n827302\n-827303\n827904\n404101\n40\n404101\n-827904\n41\n83877901\n82877902\n787600\n847978\n500\n7903\n827302\n847970\n70000\n7904\n";
 
-/// Every bit of the program in run memory, turned while it runs. The check sum tells; but a byte
+/// Every bit of the program in run memory, turned while it runs. The checksum tells; but a byte
 /// that is no handler's any more may lead the scan astray before, which is a fault too.
 #[test]
 fn a_program_that_changes_in_run_memory_is_a_fault() {
@@ -38,7 +38,7 @@ fn a_program_that_changes_in_run_memory_is_a_fault() {
         }
     }
     println!(
-        "{told} turned bits of a running program told by the check sum, {astray} by where they led"
+        "{told} turned bits of a running program told by the checksum, {astray} by where they led"
     );
     assert!(told > astray, "{told} {astray}");
 }

@@ -7,7 +7,7 @@ use unoclp_core::{Inputs, Scan};
 use unoclp_host_sim::engine::{Engine, HostEngine};
 use unoclp_host_sim::random::{Random, random_inputs_on, random_program_on};
 use unoclp_program::Written;
-use unoclp_testing::rounds;
+use unoclp_testing::{held, rounds};
 use unoclp_uno_sim::avr8js::{Avr8js, Seam};
 use unoclp_uno_sim::engine::{Clock, FirmwareEngine};
 
@@ -42,10 +42,11 @@ fn each_program_stands_at_each_seam_as_the_core_does() {
 #[test]
 fn random_programs_stand_at_each_seam_as_the_core_does() {
     let mut slow = SlowMotion::new();
-    for seed in 0..rounds(PROGRAMS) {
+    let mut run = |seed: u32| {
         let program = random_program_on(&mut Random::new(seed.into()), BOARD);
         slow.compare(program.as_bytes(), &format!("seed {seed}:\n{program}"));
-    }
+    };
+    (0..rounds(PROGRAMS)).for_each(|seed| held(|| run(seed)));
 }
 
 /// The firmware on the page's board, and what has been compared.

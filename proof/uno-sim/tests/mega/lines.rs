@@ -24,7 +24,7 @@ fn poll(mega: &mut Uno, request: &[u8], times: u64, each_ms: u64) {
     }
 }
 
-/// What has been answered to it, frame by frame, without the check sums.
+/// What has been answered to it, frame by frame, without the checksums.
 fn answers(mega: &mut Uno) -> Vec<Vec<u8>> {
     let (mut frames, mut last) = (Vec::<Vec<u8>>::new(), 0);
     for sent in mega.take_bus_log() {

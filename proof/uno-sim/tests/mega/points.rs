@@ -6,7 +6,7 @@ use unoclp_checked::Checked;
 use unoclp_core::{Board, Inputs};
 use unoclp_host_sim::engine::{Engine, HostEngine, Refusal};
 use unoclp_host_sim::random::{Random, random_program_on};
-use unoclp_testing::rounds;
+use unoclp_testing::{held, rounds};
 use unoclp_uno_sim::Uno;
 use unoclp_uno_sim::avr8js::Avr8js;
 use unoclp_uno_sim::engine::{Clock, EngineError, FirmwareEngine, Simulated, UnoEngine};
@@ -35,7 +35,7 @@ fn compare<S: Simulated>(start: fn(&mut FirmwareEngine<S>, &str, &Checked) -> St
     let mut mega = FirmwareEngine::<S>::new(firmware(), Clock::Lockstep).unwrap();
     let (mut all, mut longest) = (Counts::default(), 0);
     let programs = rounds(PROGRAMS).max(LEAST_PROGRAMS);
-    for n in 0..programs {
+    let mut run = |n: u32| {
         let seed = seed.wrapping_add(n.into());
         let random = &mut Random::new(seed);
         let text = random_program_on(random, Board::MEGA);
@@ -51,7 +51,8 @@ fn compare<S: Simulated>(start: fn(&mut FirmwareEngine<S>, &str, &Checked) -> St
         all.scans += counts.scans;
         all.changes += counts.changes;
         all.faults += counts.faults;
-    }
+    };
+    (0..programs).for_each(|n| held(|| run(n)));
     let Counts {
         scans,
         changes,

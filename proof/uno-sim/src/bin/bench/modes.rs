@@ -62,7 +62,7 @@ pub fn measure(firmware: &Program, template: &Path) -> Result<Modes> {
     uno.run_ms(WATCH)?;
     let flashes = uno.take_edges().iter().any(|edge| edge.pin == Pin::Led);
     ensure!(flashes, "STOP did not come");
-    stack.push(mode("STOP, from the scan that sees it", &uno));
+    stack.push(mode("STOP, from the scan that detects it", &uno));
 
     uno.set_stop(false);
     to_first_scan(&mut uno)?;

@@ -24,9 +24,9 @@ pub struct Polled {
     pub most: u64,
 }
 
-/// A request without its check sum, and its name.
+/// A request without its checksum, and its name.
 const REQUESTS: [(&str, Option<[u8; 6]>); 4] = [
-    ("nobody asks", None),
+    ("nothing", None),
     ("1 word: the state", Some([1, 4, 0, 16, 0, 1])),
     ("17 words: all diagnostics", Some([1, 4, 0, 16, 0, 17])),
     ("125 words: presets of timers", Some([1, 3, 0, 128, 0, 125])),

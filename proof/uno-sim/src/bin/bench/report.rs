@@ -85,10 +85,10 @@ pub fn page(figures: &Figures) -> String {
 fn whole_scans(scans: &Scans, yardsticks: &Yardsticks) -> String {
     let mut table = Table::new(&[
         "whole scan",
-        "least",
+        "minimum",
         "mean",
-        "most",
-        "most without a ms interrupt",
+        "maximum",
+        "maximum without a ms interrupt",
         "mean, µs",
     ]);
     let quiet = |quiet: Option<Times>| quiet.map_or("–".to_owned(), |quiet| number(quiet.most));
@@ -107,9 +107,9 @@ fn whole_scans(scans: &Scans, yardsticks: &Yardsticks) -> String {
     row("the same and 32 timers", scans.full);
     let Times { least, mean, most } = scans.rung;
     format!(
-        "{table}\nThe rung of 4 contacts and a coil as a slope of the least, of the mean and of the longest scans: {}, {} \
-         and {} cycles.\nThe same rung takes LDmicro's bytecode {} cycles ({}), and the thesis's interpreter {} ({}) where \
-         it divides.\n",
+        "{table}\nThe rung of 4 contacts and a coil takes {} cycles computed from the minimum, {} from the mean and {} from the \
+         maximum.\nFor the same rung, LDmicro's bytecode takes {} cycles ({}), and the thesis's interpreter with division \
+         takes {} ({}).\n",
         number(least),
         number(mean),
         number(most),
@@ -126,11 +126,11 @@ fn of_mega(mega: Mega) -> String {
     let large = format!("whole scan: {} such rungs", mega::MANY);
     for (what, cycles, target) in [
         (
-            "rung of 4 contacts and a coil, points of a UNO, the dearest",
+            "rung of 4 contacts and a coil, points of a UNO, worst case",
             near,
             20,
         ),
-        ("the same with other points, the dearest", far, 30),
+        ("the same with other points, worst case", far, 30),
         ("whole scan: 2 contacts and a coil", mega.small, mega::SMALL),
         (&large, mega.large, mega::LARGE),
     ] {
@@ -201,8 +201,8 @@ fn timer_states(timers: &Timers) -> String {
         }
     }
     format!(
-        "{table}\nThe longest scan of a run in which {FULL_TIMERS} TONs start, run, expire and go off together: {} cycles. \
-         The longest\nwhile all of them are timing: {} cycles.\n",
+        "{table}\nIn a run where {FULL_TIMERS} TONs start, time, expire and go off together, the longest scan takes {} cycles. \
+         While all of\nthem are timing, the longest takes {} cycles.\n",
         number(timers.longest_of_run),
         number(timers.longest_timing),
     )
@@ -219,7 +219,7 @@ fn row_of_times(table: &mut Table, what: String, Times { least, mean, most }: Ti
 }
 
 fn longest_scans(jobs: &Jobs, scans: &Scans) -> String {
-    let mut table = Table::new(&["scan with", "least", "most", "most, µs"]);
+    let mut table = Table::new(&["scan with", "minimum", "maximum", "maximum, µs"]);
     let mut row = |what: String, times: Times| {
         table.row([
             what,
@@ -230,7 +230,7 @@ fn longest_scans(jobs: &Jobs, scans: &Scans) -> String {
     };
     row("nothing else".into(), jobs.quiet);
     row("the ms interrupt".into(), jobs.ticked);
-    row("what is done once a ms".into(), jobs.beside);
+    row("the jobs of each ms".into(), jobs.beside);
     row("saving STATE.TXT, all together".into(), jobs.saving.scans);
     row(
         format!(
@@ -241,7 +241,7 @@ fn longest_scans(jobs: &Jobs, scans: &Scans) -> String {
     );
     let Times { least, mean, most } = scans.interrupt;
     format!(
-        "{table}\nThe millisecond interrupt alone: at least {}, in the mean {}, at most {} cycles.\n\n{}",
+        "{table}\nThe millisecond interrupt alone takes at least {} cycles, {} on average, and at most {}.\n\n{}",
         number(least),
         number(mean),
         number(most),
@@ -252,8 +252,8 @@ fn longest_scans(jobs: &Jobs, scans: &Scans) -> String {
 fn polled(polling: &[Polled]) -> String {
     let mut table = Table::new(&[
         "the client reads",
-        "answers a second",
-        "scans a second",
+        "answers per second",
+        "scans per second",
         "",
         "longest scan, µs",
     ]);
@@ -272,13 +272,14 @@ fn polled(polling: &[Polled]) -> String {
 
 fn savings(jobs: &Jobs) -> String {
     if jobs.saving.blocks == 0 {
-        return "This firmware does not save STATE.TXT: the last rows are without it.\n".into();
+        return "This firmware does not save STATE.TXT, so the last rows do not include it.\n"
+            .into();
     }
     let added = |Saving { scans, without, .. }: Saving| scans.most - without.most;
     let most = added(jobs.saving).max(added(jobs.full));
     format!(
-        "Saving makes the longest scan longer by {} cycles with the small program and by {} with the largest (target: ≤ {}, \
-         0.5 ms):\n{}.\n",
+        "Saving lengthens the longest scan by {} cycles with the small program and by {} with the largest\n\
+         (target: ≤ {}, 0.5 ms): {}.\n",
         number(added(jobs.saving)),
         number(added(jobs.full)),
         number(SAVING),
@@ -300,10 +301,10 @@ fn stack(modes: &Modes) -> String {
 }
 
 fn memories(modes: &Modes) -> String {
-    let mut table = Table::new(&["memory", "used, B", "there is, B"]);
+    let mut table = Table::new(&["memory", "used, B", "available, B"]);
     for (name, used, of) in [
         (
-            "flash, beside the boot loader of 512 B",
+            "flash, without the boot loader of 512 B",
             modes.flash as f64,
             32_256.0,
         ),
@@ -322,11 +323,8 @@ fn c_programs(yardsticks: &Yardsticks) -> String {
     ]);
     for (name, yardstick) in [
         ("the thesis's interpreter", yardsticks.thesis),
-        (
-            "the same, the point split off by division",
-            yardsticks.dividing,
-        ),
-        ("the logic by hand", yardsticks.compiled),
+        ("the same, with division", yardsticks.dividing),
+        ("the compiled C", yardsticks.compiled),
     ] {
         table.row([
             name.to_owned(),

@@ -84,7 +84,7 @@ const GROUPS: [Group; 7] = [
         beside: Some(COIL),
     },
     Group {
-        name: "contact, one more in series",
+        name: "one more contact in series",
         codes: &[INPUT + 1, -(INPUT + 2), 827_903, -827_901],
         count: 4,
         beside: None,

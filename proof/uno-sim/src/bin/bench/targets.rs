@@ -80,7 +80,7 @@ pub fn table(figures: &Figures) -> String {
         ],
     );
     row(
-        "a TON or TOF, the most in any state",
+        "a TON or TOF, maximum in any state",
         timers.most(),
         TIMER,
         [None, None, Some(OPENPLC_TIMER)],
@@ -115,10 +115,10 @@ pub fn table(figures: &Figures) -> String {
         "run".into(),
         "run".into(),
         true,
-        "6 timers beside Modbus",
+        "6 timers with Modbus",
     );
     other(
-        "… and the stack that stays free then".into(),
+        "… and the stack that remains free".into(),
         format!("{} B", number(modes.free_in_run.into())),
         format!("≥ {FREE} B"),
         modes.free_in_run >= FREE,

@@ -51,7 +51,7 @@ const PIECES: [Piece; 6] = [
         counts: [10, 60],
     },
     Piece {
-        name: "the same in the middle, by a branch point",
+        name: "the same pair in the middle, with a branch point",
         codes: |_| {
             let parallel = [404_101, INPUT + 1, 40, 404_101, INPUT + 2, 41];
             let behind = [-(INPUT + 4), COIL];

@@ -23,7 +23,7 @@ pub fn serving(text: &str) -> Uno {
     uno
 }
 
-/// Puts the check sum after a frame.
+/// Puts the checksum after a frame.
 pub fn with_crc(frame: &[u8]) -> Vec<u8> {
     [frame, &Crc::of(frame).to_bytes()].concat()
 }
@@ -34,7 +34,7 @@ fn silence(uno: &Uno) -> u64 {
     characters.max(CYCLES_PER_MS * 7 / 4) + CYCLES_PER_MS / 5
 }
 
-/// Sends bytes as they are and gives what comes back: a frame with a check sum that is right, which is left out.
+/// Sends bytes as they are and gives what comes back: a frame with a checksum that is right, which is left out.
 /// None where nothing comes. All of it is followed by silence.
 pub fn exchange(uno: &mut Uno, bytes: &[u8], patience_ms: u64) -> Option<Vec<u8>> {
     uno.take_serial_log();
@@ -69,7 +69,7 @@ pub fn exchange(uno: &mut Uno, bytes: &[u8], patience_ms: u64) -> Option<Vec<u8>
     Some(reply)
 }
 
-/// Asks, without the check sum on both sides.
+/// Asks, without the checksum on both sides.
 pub fn ask(uno: &mut Uno, request: &[u8]) -> Option<Vec<u8>> {
     exchange(uno, &with_crc(request), PATIENCE)
 }
