@@ -28,10 +28,10 @@ const EDITOR_PAGE: &str = "docs/editor-benchmarks.md";
 /// The words after `cargo xtask bench`.
 #[derive(clap::Args)]
 pub struct Args {
-    /// Measure the machines alone
+    /// Measure only the machines
     #[arg(long)]
     machines: bool,
-    /// Measure a site alone: a thousand boards, and a long history; not done otherwise
+    /// Measure only a site: a thousand boards, and a long history. Other runs do not measure it
     #[arg(long)]
     site: bool,
 }

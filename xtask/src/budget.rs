@@ -67,7 +67,7 @@ impl Size {
     /// # Errors
     /// If it is no ELF.
     pub fn of(elf: &[u8]) -> Result<Self> {
-        let file = object::File::parse(elf).context("this is no ELF file")?;
+        let file = object::File::parse(elf).context("this is not an ELF file")?;
         let mut size = Size::default();
         for section in file.sections() {
             let SectionFlags::Elf { sh_flags } = section.flags() else {

@@ -20,7 +20,7 @@ pub struct Args {
     /// The image file to write
     #[arg(short, long, value_name = "FILE", default_value = "card.img")]
     output: PathBuf,
-    /// The kind of volume
+    /// The file system, FAT16 or FAT32
     #[arg(long, value_enum, default_value = "16")]
     fat: Kind,
     /// Without a partition table
@@ -65,7 +65,7 @@ pub fn run(args: &Args) -> Result<()> {
         }
     ));
     println!(
-        "The program was not looked at: `cargo run -- check {}` says whether it is right.",
+        "The program was not checked; `cargo run -- check {}` checks it.",
         args.program.display()
     );
     Ok(())

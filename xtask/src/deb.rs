@@ -60,7 +60,7 @@ pub fn make(program: &Path, papers: &[(String, Vec<u8>)], folder: &Path) -> Resu
         put(&tree.join("DEBIAN").join(script), &bytes, 0o755)?;
     }
     let machine = output(Command::new("dpkg").arg("--print-architecture"));
-    let machine = machine.context("dpkg does not say its architecture")?;
+    let machine = machine.context("dpkg does not print its architecture")?;
     put(
         &tree.join("DEBIAN/control"),
         control(&machine).as_bytes(),
@@ -98,10 +98,10 @@ fn control(machine: &str) -> String {
          Priority: optional\n\
          Depends: libc6 (>= {libc}), libgcc-s1, systemd\n\
          Suggests: mosquitto, postgresql\n\
-         Description: PLC of an Arduino UNO: programs, boards, and the gateway of a site\n \
-         Checks, compiles and simulates programs, uploads them to boards, and serves boards\n \
-         to browsers, over Modbus TCP and MQTT, with a history. The service unoclp begins once\n \
-         /var/lib/unoclp/site.toml is there.\n",
+         Description: PLC on Arduino boards: programs, boards, and the gateway of a site\n \
+         Checks, compiles and simulates programs, uploads them to boards, and shares boards\n \
+         in browsers, over Modbus TCP and over MQTT, with a history. The service unoclp starts\n \
+         only if /var/lib/unoclp/site.toml exists.\n",
         env!("CARGO_PKG_VERSION")
     )
 }

@@ -20,7 +20,7 @@ const SCENARIO: &str = "programs/demo.toml";
 pub fn run() -> Result<()> {
     setup::for_demo()?;
 
-    say(&format!("demo: putting {PROGRAM} on the image of a card"));
+    say(&format!("demo: writing {PROGRAM} to a card image"));
     let root = shell::root();
     let image = root.join("target/demo/card.img");
     card::write(&root.join(PROGRAM), &image, card::Kind::Fat16, false, true)?;

@@ -38,7 +38,7 @@ const PAPERS: [&str; 3] = ["LICENSE-APACHE", "LICENSE-MIT", "NOTICE"];
 /// The words after `cargo xtask dist`.
 #[derive(clap::Args)]
 pub struct Args {
-    /// Open the page that was made in Chromium: from the disk, without a network
+    /// Open the built page in Chromium, from the disk and without a network
     #[arg(long)]
     prove: bool,
 }
@@ -81,11 +81,12 @@ pub fn run(args: &Args) -> Result<()> {
     let for_a_server = folder.join(ARCHIVE);
     write(&for_a_server, page)?;
     let single = folder.join(SINGLE);
-    let whole = fs::read_to_string(root().join(PAGE).join(SINGLE)).context("no single page")?;
+    let whole =
+        fs::read_to_string(root().join(PAGE).join(SINGLE)).context("no page in a single file")?;
     let whole = with_licences(&whole, &parts.texts()?);
     ensure!(
         whole.len() <= MOST,
-        "{SINGLE} is too large for a mail: {} bytes",
+        "{SINGLE} is too large for an e-mail: {} bytes",
         whole.len()
     );
     fs::write(&single, whole).with_context(|| format!("cannot write {}", single.display()))?;
@@ -98,7 +99,7 @@ pub fn run(args: &Args) -> Result<()> {
                 .collect();
             made.push(deb::make(&program, &papers, &folder)?);
         }
-        false => say("no Debian package: dpkg-deb makes it, and is not here"),
+        false => say("no Debian package: dpkg-deb is not installed"),
     }
     let extension = folder.join("unoclp.vsix");
     fs::copy(vsix::make()?, &extension).context("cannot copy the extension")?;

@@ -21,10 +21,10 @@ use crate::{arguments, mulcheck, parts, setup};
 /// `cargo xtask firmware`
 #[derive(clap::Args)]
 pub struct Args {
-    /// Keep what is built as the tested firmware, in firmware/: the hex files, their symbols and sums, and tools.toml
+    /// Store this build in firmware/ as the tested firmware: the hex files, their symbols and checksums, and tools.toml
     #[arg(long)]
     keep: bool,
-    /// Build that of one board alone: uno, nano or mega
+    /// Build the firmware of one board only: uno, nano or mega
     #[arg(long, value_parser = only())]
     board: Option<Model>,
 }
@@ -113,7 +113,7 @@ pub fn build(toolchain: &Toolchain, board: Model) -> Result<Firmware> {
     let link = compile(toolchain, board)?;
 
     let built = if is_shortened(board) {
-        say("firmware: shortening what the compiler has made");
+        say("firmware: shortening the compiler's output");
         let shortened = shortened(board);
         let rules = link::link(&link, &shortened)?;
         println!("{}", link::savings(&rules));

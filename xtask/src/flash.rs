@@ -16,10 +16,10 @@ pub struct Args {
     /// macOS, COM3 or the like on Windows
     #[arg(long)]
     port: String,
-    /// The board; nano-old is a Nano with the boot loader that it had until 2018
+    /// The board; nano-old is a Nano with the boot loader used until 2018, and mega is a Mega 2560
     #[arg(long, default_value = "uno", value_parser = models())]
     board: Model,
-    /// Build a firmware and write that, rather than the tested one
+    /// Build the firmware and write it, instead of the tested one
     #[arg(long)]
     build: bool,
     /// Write this file

@@ -48,7 +48,7 @@ impl Target {
 pub struct Args {
     /// What to fuzz
     target: Target,
-    /// For how long
+    /// How many seconds to fuzz
     #[arg(long, default_value_t = 60)]
     seconds: u32,
     /// Put the smallest inputs that reach the same code into proof/fuzz/corpus/ at the end
@@ -104,7 +104,7 @@ fn build(target: &str) -> Result<PathBuf> {
     let mut rustc = Command::new("rustc");
     rustc.current_dir(shell::root());
     let host = shell::output(rustc.args(["--print", "host-tuple"]))
-        .context("rustc does not say what it compiles for")?;
+        .context("rustc does not print its target")?;
     let folder = shell::root().join("target/fuzz");
     let mut build = cargo();
     build.args([
@@ -122,7 +122,7 @@ fn build(target: &str) -> Result<PathBuf> {
 
 /// Makes the corpus again from what it holds and what has been found.
 fn keep(program: &PathBuf, work: &PathBuf, corpus: &PathBuf) -> Result<()> {
-    say("fuzz: choosing what to keep");
+    say("fuzz: choosing the inputs to keep");
     let old = corpus.with_extension("old");
     fs::rename(corpus, &old).with_context(|| format!("cannot move {}", corpus.display()))?;
     fs::create_dir_all(corpus).with_context(|| format!("cannot create {}", corpus.display()))?;

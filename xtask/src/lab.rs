@@ -19,10 +19,10 @@ const TESTS: &str = "page/web/test/page";
 /// The words after `cargo xtask lab`.
 #[derive(clap::Args)]
 pub struct Args {
-    /// Where to serve it, on this computer alone; 0 takes a free port
+    /// The port of the page, on this computer only; 0 takes a free one
     #[arg(long, default_value_t = 8420)]
     port: u16,
-    /// Build it and no more
+    /// Build the page without serving it
     #[arg(long)]
     build: bool,
 }
@@ -70,7 +70,10 @@ impl Tests {
         let mut found = files(&shell::root().join(TESTS), END)?;
         for long in LONGEST {
             let is_there = found.iter().any(|file| name(file) == long);
-            ensure!(is_there, "xtask/src/lab.rs names {long}, which is no test");
+            ensure!(
+                is_there,
+                "xtask/src/lab.rs names {long}, which is not a test"
+            );
         }
         let place = |file: &PathBuf| LONGEST.iter().position(|long| name(file) == *long);
         // Taken from the end.

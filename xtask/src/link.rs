@@ -58,7 +58,7 @@ impl Link {
         let at = self.words.iter().position(|word| word == "-o");
         let name = at.and_then(|at| self.words.get(at + 1));
         name.map(PathBuf::from)
-            .context("rustc does not say what it has linked")
+            .context("rustc does not print what it has linked")
     }
 
     /// The assembly of all that the compiler has compiled.
@@ -78,7 +78,7 @@ impl Link {
         let objects = self.words.iter().filter(compiled).count();
         ensure!(
             objects == 1,
-            "the compiler has made {objects} objects, not one: see [profile.firmware]"
+            "the compiler has generated {objects} objects, not one: see [profile.firmware]"
         );
         let result = self.result()?;
         let (linker, arguments) = self.words.split_first().context("no linker")?;

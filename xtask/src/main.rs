@@ -8,37 +8,37 @@ use xtask::{
     test, vsix, wiring,
 };
 
-/// Builds, shows and tests unoclp
+/// Build, demonstrate and test unoclp
 #[derive(Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask")]
 enum Task {
-    /// Show a program at work on a simulated UNO: installs what is missing, builds, runs
+    /// Show a program at work on a simulated UNO: install what is missing, build and run
     Demo,
-    /// Pass every test: installs what is missing, checks, builds, tests
+    /// Run every test: install what is missing, check, build and test
     Test(test::TestArgs),
-    /// Make many times the rounds of the random tests
+    /// Run the random tests with many more rounds
     Soak(test::SoakArgs),
-    /// Look for inputs that break a promise, guided by the code that they reach
+    /// Look for inputs that break a guarantee, guided by the code that they reach
     Fuzz(fuzz::Args),
-    /// Build the firmware of the UNO and of Nanos: target/firmware/unoclp.hex and unoclp-nano.hex
+    /// Build the firmware of the UNO, the Nano and the Mega in target/firmware: unoclp.hex, unoclp-nano.hex, unoclp-mega.hex
     Firmware(firmware::Args),
-    /// Measure the firmware on a simulated UNO, the compiler and the machines, and write their pages in docs
+    /// Measure the firmware on simulated boards, the compiler, the editor and the machines, and write their pages in docs/
     Bench(bench::Args),
-    /// Put a program on the image of a memory card
+    /// Write a program to a memory card image
     Card(card::Args),
     /// Write the firmware to a board
     Flash(flash::Args),
-    /// Build the page with the UNO in it, and serve it
+    /// Build the page with the simulated UNO, and serve it
     Lab(lab::Args),
-    /// Build what is handed out into target/dist: `unoclp` with the page inside, and the page itself
+    /// Build the distribution in target/dist: `unoclp` with the page inside, and the page itself
     Dist(dist::Args),
-    /// Name in NOTICE what the page and the programs contain of others
+    /// Write NOTICE: the third-party code in the page and the programs
     Notice,
-    /// Show circles of modules in each crate
+    /// Show circular dependencies between the modules of each crate
     Modules,
-    /// Change the source a little, see whether a test notices it, and write docs/mutants.md
+    /// Change the source a little, see whether a test notices the change, and write docs/mutants.md
     Mutants(mutants::Args),
-    /// Write docs/rulings.md: which tests name which ruling of the numeric code
+    /// Write docs/rulings.md: the tests that name each ruling of the numeric code
     Rulings,
     /// Draw docs/wiring-mega.svg, the wiring of the Mega 2560, from the table of its pins
     Wiring,

@@ -82,8 +82,8 @@ impl Parts {
     /// If a file cannot be read.
     pub fn texts(&self) -> Result<String> {
         let mut text = String::from(
-            "What others wrote and unoclp contains. The source of each is in the registry of npm's packages or of\n\
-             Rust's crates, under this name and version.\n",
+            "The third-party code in unoclp. The source of each part is in the registry of npm or on crates.io, under this\n\
+             name and version.\n",
         );
         // A text that many bring stands once.
         let mut told = std::collections::BTreeMap::new();
@@ -119,7 +119,7 @@ impl Parts {
 pub fn run() -> Result<()> {
     let file = root().join("NOTICE");
     fs::write(&file, expected(&Parts::find()?)?).context("cannot write NOTICE")?;
-    say("NOTICE is written");
+    say("wrote NOTICE");
     Ok(())
 }
 
@@ -205,7 +205,7 @@ fn known_crates() -> Result<BTreeMap<(String, String), Part>> {
 fn named(part: &Value, licence: &str, folder: PathBuf) -> Result<Part> {
     let word = |key| word(part, key).map(str::to_owned);
     let (name, version) = (word("name")?, word("version")?);
-    let licence = word(licence).with_context(|| format!("{name} does not say its licence"))?;
+    let licence = word(licence).with_context(|| format!("{name} does not name its licence"))?;
     Ok(Part {
         name,
         version,

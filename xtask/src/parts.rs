@@ -83,7 +83,7 @@ const FIRST: &str = "start-up and the rest";
 
 /// A row for each part: its name, and its bytes.
 pub fn parts(elf: &[u8]) -> Result<Vec<(&'static str, u64)>> {
-    let file = object::File::parse(elf).context("this is no ELF file")?;
+    let file = object::File::parse(elf).context("this is not an ELF file")?;
     let text = file.section_by_name(".text").context("no code")?;
     let mut symbols: BTreeMap<u64, String> = BTreeMap::new();
     for symbol in file.symbols() {

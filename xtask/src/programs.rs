@@ -142,7 +142,7 @@ impl Programs {
         }
         for long in long::all() {
             let known = tests.iter().any(|test| test.full_name().ends_with(long));
-            ensure!(known, "xtask/src/long.rs names {long}, which is no test");
+            ensure!(known, "xtask/src/long.rs names {long}, which is not a test");
         }
         tests.retain(|test| wanted(&test.full_name()));
         // Taken from the end: the longest first.

@@ -93,8 +93,8 @@ pub fn rulings() -> Result<BTreeMap<u32, (String, Tests)>> {
 /// If a file cannot be read.
 pub fn page() -> Result<String> {
     let mut page = "# Rulings and their tests\n\n\
-        Each ruling of the [numeric code](numeric-code.md), and the tests that name it. A scenario runs on the core, and the\n\
-        firmware runs it in simavr and on avr8js. `cargo xtask rulings` writes this page. A test checks that the\n\
+        This page lists each ruling of the [numeric code](numeric-code.md) and the tests that name it. A scenario runs on the\n\
+        core, and the firmware runs it in simavr and on avr8js. `cargo xtask rulings` writes this page. A test checks that the\n\
         page is up to date, and fails if a ruling has no test.\n\n\
         | ruling | says | scenarios | tests in Rust |\n| --- | --- | --- | --- |\n"
         .to_owned();

@@ -106,7 +106,7 @@ const TESTS: &[Need] = &[
         // Debian puts it where only root's path leads.
         Path::new("/usr/sbin/mosquitto").is_file() || exists("mosquitto")
     }),
-    need("mosquitto-clients", "hearing what is reported", |_| {
+    need("mosquitto-clients", "receiving reports", |_| {
         // Its `--version` says that it has failed.
         output(Command::new("sh").args(["-c", "command -v mosquitto_sub"])).is_some()
     }),
@@ -115,14 +115,14 @@ const TESTS: &[Need] = &[
         let library = |of: std::fs::DirEntry| of.path().join("faketime/libfaketimeMT.so.1");
         machines.flatten().any(|of| library(of).is_file())
     }),
-    need("curl", "asking an encrypted page", |_| exists("curl")),
+    need("curl", "requesting an encrypted page", |_| exists("curl")),
     need("postgresql", "keeping a history in a database", |_| {
         // No path leads to its programs.
         Path::new("/usr/lib/postgresql").is_dir() && exists("psql")
     }),
     need(
         "python3-venv",
-        "asking the Modbus server by pymodbus",
+        "asking the Modbus server with pymodbus",
         |_| output(Command::new("python3").args(["-c", "import ensurepip, venv"])).is_some(),
     ),
 ];
@@ -138,12 +138,14 @@ const BOOT_LOADERS: &str = "/usr/share/arduino/hardware/arduino/avr/bootloaders"
 
 /// What the tests of the page drive.
 const BROWSER: &[Need] = &[
-    need("chromium-headless-shell", "trying the page", |_| {
+    need("chromium-headless-shell", "testing the page", |_| {
         has_chromium()
     }),
-    need("firefox-esr", "trying the page in a second browser", |_| {
-        has_firefox()
-    }),
+    need(
+        "firefox-esr",
+        "testing the page in a second browser",
+        |_| has_firefox(),
+    ),
 ];
 
 /// What Python brings, for a folder of its own: the clients of Modbus and of Sparkplug B that are not of Debian.
@@ -262,8 +264,8 @@ fn plan(missing: &[&Need], apt: bool, root: bool) -> Plan {
             Vec::from_iter(versions(missing)).join(" ")
         )),
         (_, false, _) => Plan::Tell(format!(
-            "some tools are missing (the names are those of Debian's packages):\n{}\nThis works by \
-             itself on Debian and Ubuntu only. README.md says what to install elsewhere.",
+            "some tools are missing (the names are those of Debian's packages):\n{}\nThey are \
+             installed automatically on Debian and Ubuntu only. README.md says what to install elsewhere.",
             reasons(missing)
         )),
     }
@@ -301,14 +303,14 @@ fn versions(missing: &[&Need]) -> BTreeSet<String> {
     named.collect()
 }
 
-const RUSTUP: &str = "  (With rustup, `rustup component add rust-src clippy rustfmt` in this folder does for the packages of Rust.)\n";
+const RUSTUP: &str = "  (With rustup, `rustup component add rust-src clippy rustfmt` in this folder replaces the Rust packages.)\n";
 
-const KEPT: &str = "  (Without it, `cargo xtask test --kept` runs the tests on the tested firmware, and builds none.)\n";
+const KEPT: &str = "  (Without them, `cargo xtask test --kept` runs the tests on the tested firmware, and builds no firmware.)\n";
 
 const NO_RUST: &str = concat!(
     "no Rust ",
     env!("CARGO_PKG_RUST_VERSION"),
-    " or later with the source of its `core` is here: run `rustup component add rust-src` in this \
+    " or later with the source of its `core` is installed: run `rustup component add rust-src` in this \
      folder"
 );
 
@@ -325,7 +327,7 @@ fn install(told: &[&Need], groups: &[&'static [Need]]) -> Result<()> {
         let known = output(Command::new("apt-cache").args(["show", need.package]));
         ensure!(
             known.is_some_and(|text| !text.is_empty()),
-            "this system has no package {}, which is for {}\n{}",
+            "this system has no package {}, which is needed for {}\n{}",
             need.package,
             need.purpose,
             reasons(&[need])

@@ -32,11 +32,11 @@ const BUILT: [&str; 4] = [
 /// The words after `cargo xtask test`.
 #[derive(clap::Args)]
 pub struct TestArgs {
-    /// Leave out clippy, the documentation and its examples, ten of eleven random rounds and cases, and what took a
-    /// second or more in the last whole run
+    /// Leave out clippy, the documentation and its examples, ten of eleven random rounds and cases, and tests that took
+    /// a second or more in the last full run
     #[arg(long)]
     quick: bool,
-    /// Run them on the tested firmware, firmware/unoclp-uno.hex with its symbols, and build none
+    /// Run the tests on the tested firmware, firmware/unoclp-uno.hex with its symbols, and build no firmware
     #[arg(long)]
     kept: bool,
 }
@@ -44,7 +44,7 @@ pub struct TestArgs {
 /// The words after `cargo xtask soak`.
 #[derive(clap::Args)]
 pub struct SoakArgs {
-    /// How many times the rounds of `cargo xtask test` to make
+    /// The number of rounds, as a multiple of the rounds of `cargo xtask test`
     #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     times: u32,
 }
@@ -73,10 +73,10 @@ pub fn run(args: &TestArgs) -> Result<()> {
     let is_wanted = |name: &str| !args.kept || !BUILT.iter().any(|built| name.contains(built));
     if args.quick {
         say(
-            "quick: without clippy, documentation and its examples; one of eleven random rounds and cases",
+            "quick: without clippy, documentation and its examples; with one in eleven random rounds and cases",
         );
         say(&format!(
-            "quick: without what took {} s or more in the last whole run, and without {}",
+            "quick: without tests that took {} s or more in the last full run, and without {}",
             LONG.as_secs(),
             long::WHOLE.join(", ")
         ));
@@ -184,7 +184,7 @@ fn format() -> Result<()> {
 
 /// What waits for the one lock of `target/`: clippy, the documentation, and the tests' programs.
 fn check_and_compile(steps: &Steps) -> Result<programs::Programs> {
-    steps.take("clippy on what runs on a PC", || {
+    steps.take("clippy on the code for a PC", || {
         let mut clippy = cargo();
         clippy.arg("clippy").args(HOST).arg("--all-targets");
         shell::run(clippy.args(["--features", "xtask/avr-tools"]).args(DENY))
@@ -245,7 +245,7 @@ fn test_lab(steps: &Steps, round: &Round) -> Result<Count> {
 fn report(steps: &Steps, tally: &Tally, mut sum: Count) -> Result<()> {
     say("the slowest tests");
     print!("{}", tally.slowest(10));
-    say("the steps; some of them were taken at the same time");
+    say("the steps; some ran at the same time");
     print!("{}", steps.table());
     let failed = tally.failed();
     for name in &failed {

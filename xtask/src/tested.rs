@@ -78,7 +78,7 @@ fn symbols(elf: &Path) -> Result<String> {
 pub fn keep(tools: &Tools) -> Result<()> {
     for name in copy_build(&folder())? {
         say(&format!(
-            "firmware: kept as {}",
+            "firmware: stored as {}",
             folder().join(name).display()
         ));
     }
@@ -110,13 +110,13 @@ fn sentence(is_same: bool, here: &Tools, pinned: &Tools) -> String {
     match (is_same, here == pinned) {
         (true, _) => "this is the tested firmware, byte for byte".to_owned(),
         (false, true) => {
-            "untested: this is not the tested firmware, since the source has changed. Once `cargo xtask test` has \
-             passed otherwise, `cargo xtask firmware --keep` makes it the tested one"
+            "untested: this is not the tested firmware, since the source has changed. When all other \
+             tests of `cargo xtask test` pass, `cargo xtask firmware --keep` makes it the tested one"
                 .to_owned()
         }
         (false, false) => format!(
-            "untested: these tools are not the pinned ones, and the suite has not run on what they make.\n{}\
-             `cargo xtask flash` writes the tested firmware; `cargo xtask test --kept` runs the suite on that",
+            "untested: these tools are not the pinned ones, and the suite has not run on their output.\n{}\
+             `cargo xtask flash` writes the tested firmware; `cargo xtask test --kept` runs the suite on it",
             pinned.difference(here)
         ),
     }

@@ -74,7 +74,7 @@ impl Toolchain {
     /// # Errors
     /// If a part of it does not say what it is.
     pub fn tools(&self) -> Result<Tools> {
-        Tools::with(self.version().context("rustc does not say what it is")?)
+        Tools::with(self.version().context("rustc does not print its version")?)
     }
 
     /// Whether it comes with clippy.

@@ -16,8 +16,8 @@ use crate::shell;
 /// What stands above the pinned set.
 const ABOVE: &str = "\
 # What builds the tested firmware. Another tool set builds another firmware, which the suite has not run on: `cargo xtask
-# firmware` calls it untested, and a test fails. `cargo xtask firmware --keep` writes this file. `tools` is what each tool
-# says that it is; `debian` are the versions of Debian's packages that `cargo xtask setup` asks for.
+# firmware` calls it untested, and a test fails. `cargo xtask firmware --keep` writes this file. `tools` has the
+# version that each tool reports; `debian` has the versions of the Debian packages that `cargo xtask setup` asks for.
 
 ";
 
@@ -165,7 +165,7 @@ fn avr_libc() -> Result<String> {
         let line = text.lines().find(|line| line.contains(NAME))?;
         line.split('"').nth(1)
     });
-    let version = version.context("avr-libc does not say what it is")?;
+    let version = version.context("avr-libc does not state its version")?;
     Ok(version.to_owned())
 }
 

@@ -26,7 +26,7 @@ pub fn make() -> Result<PathBuf> {
     npm(&["ci", "--ignore-scripts", "--no-audit", "--no-fund"])?;
     npm(&["run", "--silent", "package"])?;
     let made = root().join(MADE);
-    ensure!(made.is_file(), "no {MADE} has come of it");
+    ensure!(made.is_file(), "{MADE} was not built");
     Ok(made)
 }
 

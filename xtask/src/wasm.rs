@@ -21,7 +21,14 @@ const SMALL: &str =
 /// The modules of the page: what cargo is told, and the file that a page loads. The second takes the place of the first
 /// as soon as somebody needs what only it has.
 const MODULES: [(&[&str], &str); 2] = [
-    (&["--no-default-features"], "unoclp.wasm"),
+    (
+        &[
+            "--no-default-features",
+            // It draws what a visitor sees first; who changes the drawing has the second.
+            "--config=profile.page.package.unoclp-draw.opt-level=\"z\"",
+        ],
+        "unoclp.wasm",
+    ),
     (&[], "unoclp-full.wasm"),
 ];
 

@@ -236,6 +236,6 @@ fn draw(svg: &mut String, one: &Wired, y: usize) -> Result<()> {
 /// As [`wired`], or if it cannot be written.
 pub fn run() -> Result<()> {
     fs::write(root().join(PICTURE), picture()?).context(PICTURE)?;
-    say(&format!("{PICTURE} is written"));
+    say(&format!("wrote {PICTURE}"));
     Ok(())
 }

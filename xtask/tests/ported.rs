@@ -17,8 +17,9 @@ const EACH: [&str; 7] = [
 ];
 
 /// What knows the Mega for a manner of its own: its boot loader waits as long as it hears something; an example in a message;
-/// the pages with its figures; its wiring picture.
-const OWN: [&str; 5] = [
+/// the help in Portuguese; the pages with its figures; its wiring picture.
+const OWN: [&str; 6] = [
+    "tools/cli/src/commands/help.rs",
     "tools/client/src/link.rs",
     "tools/site/src/lines.rs",
     "xtask/src/bench.rs",

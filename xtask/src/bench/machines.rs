@@ -101,7 +101,7 @@ fn rows(step: &Step, beside: &Beside, class: &Class) -> [Row; 4] {
             a_second >= 60.0,
         ),
         (
-            format!("{all:.1} s = {:.1} s + {:.1} s", class.cases, class.machine),
+            format!("{all:.1} s ≈ {:.1} s + {:.1} s", class.cases, class.machine),
             all <= 20.0,
         ),
     ]
@@ -124,20 +124,14 @@ fn table(head: &str, names: [(&str, &str); 4], rows: &[Row; 4], met: [&str; 2]) 
 
 fn english(rows: &[Row; 4]) -> String {
     let names = [
+        ("a step of 1 ms in native code, slowest machine", "≤ 5 µs"),
         (
-            "a step of 1 ms, natively, of the machine whose step takes longest",
-            "≤ 5 µs",
-        ),
-        (
-            "pace that a simulated board, UNO or Mega, loses to the machine beside it, the worst of all",
+            "speed that a simulated board, UNO or Mega, loses to its machine, worst case",
             "≤ 5 %",
         ),
+        ("drawings per second, slowest machine", "≥ 60"),
         (
-            "drawings a second, of the machine whose drawing takes longest",
-            "≥ 60",
-        ),
-        (
-            "to grade 200 programs × 20 cases with a machine: cases + machine",
+            "grading 200 programs × 20 cases with a machine: cases + machine",
             "≤ 20 s",
         ),
     ];
@@ -145,31 +139,28 @@ fn english(rows: &[Row; 4]) -> String {
     let table = table(head, names, rows, ["met", "not met"]);
     format!(
         "# Benchmarks of the machines\n\n*[Leia em português](machine-benchmarks.pt-BR.md)*\n\n\
-A program writes this page: do not edit it, run the benchmark again.\n\n```\ncargo xtask bench --machines\n```\n\n\
-The figures depend on the computer. The board runs each machine's model solution on the unmodified\n\
-firmware with the machine and without it, in turn; without it the contacts stay as the machine left them. The machine advances a\n\
-step each simulated millisecond and is drawn 60 times a second, as in the page's worker. The figure is the median of 150 differences,\n\
-in processor time. A drawing is Rust's output, as JavaScript reads it;\n\
-the browser's painting is not counted. Native code is built like the tests. `npm run bench` in `page/web` prints the figures of each machine.\n\n{table}"
+A program writes this page: do not edit it; run the benchmark again.\n\n```\ncargo xtask bench --machines\n```\n\n\
+The figures depend on the computer. A simulated board with the unmodified firmware runs the model solution of each machine,\n\
+alternately with the machine and without it. Without it, the contacts stay as the machine left them. The machine advances one\n\
+step per simulated millisecond and is drawn 60 times a second, as in the lab. The loss of speed is the median of 150\n\
+differences in processor time. A drawing is the output of the Rust code, as JavaScript reads it; rendering in the browser is not\n\
+counted. Native code is built with the settings of the tests. `npm run bench` in `page/web` prints the figures of each machine.\n\n{table}"
     )
 }
 
 fn portuguese(rows: &[Row; 4]) -> String {
     let names = [
         (
-            "um passo de 1 ms, nativo, da máquina cujo passo demora mais",
+            "um passo de 1 ms em código nativo, máquina mais lenta",
             "≤ 5 µs",
         ),
         (
-            "ritmo que uma placa simulada, UNO ou Mega, perde para a máquina ao lado, o pior de todas",
+            "velocidade que uma placa simulada, UNO ou Mega, perde por causa da máquina, pior caso",
             "≤ 5 %",
         ),
+        ("desenhos por segundo, máquina mais lenta", "≥ 60"),
         (
-            "desenhos por segundo, da máquina cujo desenho demora mais",
-            "≥ 60",
-        ),
-        (
-            "corrigir 200 programas × 20 casos com uma máquina: casos + máquina",
+            "correção de 200 programas × 20 casos com uma máquina: casos + máquina",
             "≤ 20 s",
         ),
     ];
@@ -179,12 +170,13 @@ fn portuguese(rows: &[Row; 4]) -> String {
         .map(|(figure, met)| (figure.replace('.', ","), met));
     let table = table(head, names, &rows, ["atingida", "não atingida"]);
     format!(
-        "# Benchmarks das máquinas\n\n*[Read it in English](machine-benchmarks.md)*\n\n\
-Um programa escreve esta página: não a edite, repita a medição.\n\n```\ncargo xtask bench --machines\n```\n\n\
-Os números dependem do computador. A placa executa a solução modelo de cada máquina no firmware sem alterações,\n\
-com a máquina e sem ela, em alternância; sem ela os contatos ficam como a máquina os deixou. A máquina avança um passo a cada\n\
-milissegundo simulado e é desenhada 60 vezes por segundo, como no worker da página. O número é a mediana de 150 diferenças, em\n\
-tempo de processador. Um desenho é o que o Rust produz e o JavaScript lê; o que o\n\
-navegador pinta não conta. O código nativo é compilado como os testes. `npm run bench` em `page/web` mostra os números de cada máquina.\n\n{table}"
+        "# Medições das máquinas\n\n*[Read in English](machine-benchmarks.md)*\n\n\
+Um programa gera esta página: não a edite; repita a medição.\n\n```\ncargo xtask bench --machines\n```\n\n\
+Os números dependem do computador. Uma placa simulada, com o firmware sem alterações, executa a solução-modelo de cada máquina,\n\
+alternadamente com a máquina e sem ela. Sem a máquina, os contatos ficam como ela os deixou. A máquina avança um passo por\n\
+milissegundo simulado e é desenhada 60 vezes por segundo, como no laboratório. A perda de velocidade é a mediana de 150\n\
+diferenças de tempo de processador. Um desenho é a saída do código em Rust, como o JavaScript a lê; a renderização no navegador\n\
+não conta. O código nativo é compilado com as opções dos testes. `npm run bench` em `page/web` mostra os números de cada\n\
+máquina.\n\n{table}"
     )
 }

@@ -42,7 +42,7 @@ pub struct Need {
 impl fmt::Display for Circle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let files: Vec<_> = self.files.iter().map(|file| file.display()).collect();
-        write!(f, "a circle of {} files:", files.len())?;
+        write!(f, "a circular dependency of {} files:", files.len())?;
         for file in files {
             write!(f, " {file}")?;
         }

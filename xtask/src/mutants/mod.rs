@@ -32,18 +32,18 @@ const BATCH: usize = 50;
 /// Which mutants are tried.
 #[derive(clap::Args)]
 pub struct Args {
-    /// The rooms, as `device/core`; all of them where none is named
+    /// The rooms, such as `device/core`; by default, all
     rooms: Vec<String>,
-    /// How many mutants of each room are tried
+    /// How many mutants to try in each room
     #[arg(long, default_value_t = 300)]
     each: usize,
-    /// Another number picks others
+    /// The seed of the selection; another number selects other mutants
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Those that a test has noticed before are tried again too
+    /// Also retry mutants that a test has already noticed
     #[arg(long)]
     again: bool,
-    /// Nothing is tried: the page is written of what earlier runs have kept
+    /// Try nothing: write the page from the results of earlier runs
     #[arg(long)]
     page: bool,
 }
@@ -56,7 +56,11 @@ pub fn run(args: &Args) -> Result<()> {
     let known = |name: &String| ROOMS.iter().any(|room| room.name == name);
     for name in &args.rooms {
         let rooms: Vec<&str> = ROOMS.iter().map(|room| room.name).collect();
-        ensure!(known(name), "no room {name}; there is {}", rooms.join(", "));
+        ensure!(
+            known(name),
+            "there is no room {name}; the rooms are {}",
+            rooms.join(", ")
+        );
     }
     let version = output(cargo().args(["mutants", "--version"]));
     let is_there = version.is_some_and(|version| version.ends_with(VERSION));

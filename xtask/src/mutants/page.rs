@@ -103,11 +103,11 @@ fn section(room: &Room, seed: u64, all: usize, tried: &Tried, reasons: &Reasons)
         }
     }
     let mut text = format!(
-        "Of {all} mutants, {} were tried (seed {seed}), by the tests of {}. The tests noticed **{}.{} %** of those that compile.\n\n\
+        "Of {all} mutants, {} were tried (seed {seed}), with the tests of {}. The tests noticed **{}.{} %** of those that compile.\n\n\
          | noticed | ran for too long | do not compile | missed |\n| ---: | ---: | ---: | ---: |\n\
          | {} | {} | {} | {} |\n",
         tried.count(),
-        packages.join(", "),
+        packages.join(" and "),
         tried.share() / 10,
         tried.share() % 10,
         tried.noticed,
@@ -125,7 +125,7 @@ fn section(room: &Room, seed: u64, all: usize, tried: &Tried, reasons: &Reasons)
         let _ = writeln!(text, "- `{name}`");
     }
     if !explained.is_empty() {
-        text.push_str("\nMissed, and why no test can notice it:\n\n");
+        text.push_str("\nMissed, and why no test can notice them:\n\n");
     }
     for name in explained {
         let why = reasons.of(name).unwrap_or_default();
@@ -145,9 +145,9 @@ fn sections(page: &str) -> BTreeMap<String, String> {
 
 fn page(sections: &BTreeMap<String, String>) -> String {
     let mut page = format!(
-        "# Tests, tested\n\nA program writes this page: do not edit it, run the tests again.\n\n```\ncargo xtask mutants\n```\n\n\
+        "# Tests, tested\n\nA program writes this page: do not edit it; run the tests again.\n\n```\ncargo xtask mutants\n```\n\n\
          cargo-mutants {VERSION} changes the source a little, one place at a time: a function returns a fixed value, `<` becomes `<=`,\n\
-         an arm of a match disappears. Each changed program is a *mutant*, and the tests should notice it. One that they miss is listed: either a\n\
+         or an arm of a match disappears. Each changed program is a *mutant*, and the tests should notice it. Those that they miss are listed: either a\n\
          test is missing, or the change has no visible effect. A mutant that runs for too long counts as noticed.\n\n\
          A seed decides which ones are tried, and in which order: a longer run begins with the mutants of a shorter one. A run that is\n\
          stopped continues from there. Mutants that leave out a field of a value are excluded: cargo-mutants cannot try some of these.\n"

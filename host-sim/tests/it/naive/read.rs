@@ -33,7 +33,7 @@ struct Row {
     digits: i64,
     has_xx: bool,
     letters: String,
-    /// How many bytes store it: `2`, `2, constant 6`, `3 and 1 a step`.
+    /// How many bytes store it: `2`, `2, constant 6`, `3, plus 1 per step`.
     bytes: String,
 }
 
@@ -96,7 +96,7 @@ pub fn read(text: &str) -> Vec<Step> {
             _ if takes_number && lines.is_empty() => 2,
             // As a jump back counts it.
             _ if takes_number => 6,
-            "3 and 1 a step" => 3 + lines[0],
+            "3, plus 1 per step" => 3 + lines[0],
             // A point above 16 stands in a byte of its own.
             "1" if xx > 16 => 2,
             bytes => bytes.parse().unwrap(),

@@ -43,7 +43,7 @@ const NODE_RED: &str = r#"{
 /// If a step fails. A target that is not met is no failure: the pages say so.
 pub fn run() -> Result<()> {
     lab::build()?;
-    say("bench: the program as it is handed out");
+    say("bench: building the program in release mode");
     let mut program = cargo();
     program.args(["build", "--release", "--package=unoclp-cli"]);
     shell::run(program.args(OF_PROGRAM))?;

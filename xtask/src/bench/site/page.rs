@@ -96,8 +96,10 @@ fn many(scale: &Scale, words: &Words) -> [Row; 3] {
                 )
                 .to_owned(),
             figure: format!(
-                "{} ({up}/{boards}, {gateways} gateways)",
-                words.number(scale.core, 2)
+                "{} ({up} {} {boards} {}, {gateways} gateways)",
+                words.number(scale.core, 2),
+                words.of("of", "de"),
+                words.of("boards", "placas")
             ),
             target: "≤ 1",
             is_met: Some(scale.core <= 1.0 && up == boards),
@@ -116,7 +118,7 @@ fn many(scale: &Scale, words: &Words) -> [Row; 3] {
         Row {
             what: words
                 .of(
-                    "the same: points read a second",
+                    "the same: points read per second",
                     "o mesmo: pontos lidos por segundo",
                 )
                 .to_owned(),
@@ -142,9 +144,11 @@ fn beside(few: &Scale, node_red: &Scale, words: &Words) -> [Row; 3] {
         let boards = of.boards;
         match words.lang {
             Lang::En => {
-                format!("{boards} boards: points that {name} reads for each second of a processor")
+                format!("{boards} boards: points that {name} reads per second of processor time")
             }
-            Lang::Pt => format!("{boards} placas: pontos que {name} lê por segundo de processador"),
+            Lang::Pt => format!(
+                "{boards} placas: pontos que o {name} lê por segundo de tempo de processador"
+            ),
         }
     };
     let times = few.per_processor_second / node_red.per_processor_second;
@@ -163,7 +167,10 @@ fn beside(few: &Scale, node_red: &Scale, words: &Words) -> [Row; 3] {
         },
         Row {
             what: words
-                .of("the ratio of the two", "a razão entre os dois")
+                .of(
+                    "the ratio of these two figures",
+                    "a razão entre esses dois números",
+                )
                 .to_owned(),
             figure: words.number(times, 1),
             target: "≥ 5",
@@ -181,12 +188,16 @@ fn line(of: &Line, words: &Words) -> Row {
     let readings = words.number(of.readings, 0);
     let (what, figure) = match words.lang {
         Lang::En => (
-            format!("a line of {boards} boards at {rate} bits a second: time in use"),
-            format!("{used} ({up}/{boards}, only bytes {bytes}, {readings} boards a second)"),
+            format!("a line of {boards} boards at {rate} baud: time in use"),
+            format!(
+                "{used} ({up} of {boards} boards, bytes alone {bytes}, {readings} boards per second)"
+            ),
         ),
         Lang::Pt => (
-            format!("uma linha de {boards} placas a {rate} bits por segundo: tempo em uso"),
-            format!("{used} ({up}/{boards}, só bytes {bytes}, {readings} placas por segundo)"),
+            format!("uma linha de {boards} placas a {rate} baud: tempo em uso"),
+            format!(
+                "{used} ({up} de {boards} placas, só os bytes {bytes}, {readings} placas por segundo)"
+            ),
         ),
     };
     Row {
@@ -206,7 +217,7 @@ fn past(trend: &Trend, words: &Words) -> [Row; 2] {
                 "{} {}",
                 words.number(millions, 0),
                 words.of(
-                    "million samples written to SQLite: samples a second",
+                    "million samples written to SQLite: samples per second",
                     "milhões de amostras gravadas em SQLite: amostras por segundo"
                 )
             ),
@@ -222,8 +233,8 @@ fn past(trend: &Trend, words: &Words) -> [Row; 2] {
         Row {
             what: words
                 .of(
-                    "a trend of 30 days in that history: the longest of 25",
-                    "uma tendência de 30 dias nesse histórico: a mais longa de 25",
+                    "a trend of 30 days in that history: the slowest of 25",
+                    "uma tendência de 30 dias nesse histórico: a mais lenta de 25",
                 )
                 .to_owned(),
             figure: format!(
@@ -232,7 +243,7 @@ fn past(trend: &Trend, words: &Words) -> [Row; 2] {
                 words.of("median", "mediana"),
                 words.number(trend.median, 0),
                 trend.rows,
-                words.of("steps", "passos")
+                words.of("steps", "intervalos")
             ),
             target: "≤ 200 ms",
             is_met: Some(trend.longest <= 200.0),
@@ -244,7 +255,7 @@ const ENGLISH_HEAD: &str = "# Benchmarks of a site
 
 *[Leia em português](site-benchmarks.pt-BR.md)*
 
-A program writes this page: do not edit it, run the benchmark again.
+A program writes this page: do not edit it; run the benchmark again.
 
 ```
 cargo xtask bench --site
@@ -258,7 +269,7 @@ const PORTUGUESE_HEAD: &str = "# Medições de uma instalação
 
 *[Read in English](site-benchmarks.md)*
 
-Um programa escreve esta página: não a edite, repita a medição.
+Um programa gera esta página: não a edite; repita a medição.
 
 ```
 cargo xtask bench --site
@@ -269,37 +280,46 @@ cargo xtask bench --site
 ";
 
 const ENGLISH: &str = "
-- **The machine.** It has {processors} processors, and also simulates the boards. On average {begin} programs were waiting for or using a processor in
-  the minute before, and {end} at the end. Other load makes the figures worse.
-- **Boards.** A process simulates them behind Modbus TCP, twenty on each line (`tools/cli/examples/scale`). A gateway has 200 of
-  them, because Modbus allows at most 247 units; the figures are those of all gateways together. Four of 32 points change from reading to reading,
-  and the history in SQLite records each change. With each reading a gateway asks whether the board still has its program.
-- **Node-RED** 4 with node-red-contrib-modbus 5 reads the same boards at the same pace, after unoclp in the same run. Two *Modbus Read* nodes per board read
-  its values and outputs, and a function converts the registers to numbers. It stores nothing, and does not ask
-  which program the board has. Its nodes use npm's `modbus-serial` instead of their authors' fork, which is not on npm.
-- **A line** is a pseudo-terminal on which each byte takes as long as on wires. Each board is requested every 10 ms, faster than any line: so
-  a request is always waiting. *Used* is the time of bytes and of the silences of 3.5 characters that Modbus requires before each answer
-  and each request. If the system allows it, gateway and line get a higher priority than everything else (`nice -n -19`).
-- **Trend.** A thousand points change evenly over 30 days (`tools/history/examples/trend.rs`), and are written in order of time. A
-  trend is the lowest, the highest and the last value of one point in each of 600 steps. Each trend is of another point, with no writing meanwhile. It
-  reads all samples of its point, so it takes longer for a point that changes more often.
-- **Not measured here:** PostgreSQL.
+- **The computer** has {processors} processors, and also simulates the boards. On average, {begin} programs were using a
+  processor or waiting for one in the minute before the measurement, and {end} in its last minute. Any other load makes the
+  figures worse.
+- **Boards.** One process simulates them over Modbus TCP, twenty on each line (`tools/cli/examples/scale`). Each gateway has
+  200 of them, because Modbus allows at most 247 units; the figures are totals for all gateways. Four of the 32 points
+  change from one reading to the next, and the history in SQLite records each change. At each reading, a gateway checks
+  whether the board still has its program.
+- **Node-RED** 4 with node-red-contrib-modbus 5 reads the same boards at the same interval, after unoclp in the same run.
+  Two *Modbus Read* nodes per board read its values and outputs, and a function converts the registers to numbers. Node-RED
+  stores nothing, and does not check which program the board has. Its nodes use `modbus-serial` from npm instead of their
+  authors' fork, which is not on npm.
+- **A line** is a pseudo-terminal on which each byte takes as long as on real wires. Each board is due every 10 ms, which no
+  line can keep up with, so a request is always waiting. The *time in use* is that of the bytes and of the silences that
+  Modbus requires before each request and each answer. If the system allows it, the gateway and the line have a higher
+  priority than everything else (`nice -n -19`).
+- **Trend.** A thousand points change at regular intervals over 30 days (`tools/history/examples/trend.rs`), and are written in
+  chronological order. A trend is the minimum, the maximum and the last value of one point in each of 600 steps. Each trend
+  is for a different point, and nothing is written meanwhile. A trend reads all samples of its point, so it takes longer for
+  a point that changes more often.
+- **PostgreSQL** is not measured here.
 ";
 
 const PORTUGUESE: &str = "
-- **A máquina** tem {processors} processadores, e as placas também são simuladas nela. Em média {begin} programas usavam ou esperavam um processador no
-  minuto anterior, e {end} no fim. Com outra carga os números pioram.
-- **Placas.** Um processo as simula por Modbus TCP, vinte em cada linha (`tools/cli/examples/scale`). Um gateway tem 200 delas, pois o
-  Modbus tem no máximo 247 unidades; os números são os de todos os gateways juntos. Quatro de 32 pontos mudam de uma leitura para outra, e o
-  histórico em SQLite registra cada mudança. A cada leitura o gateway pergunta se a placa ainda tem o seu programa.
-- **O Node-RED** 4 com node-red-contrib-modbus 5 lê as mesmas placas no mesmo ritmo, depois do unoclp e na mesma execução. Dois nós *Modbus Read* por placa
-  leem os valores e as saídas, e uma função converte os registradores em números. Ele não guarda nada, e não pergunta que
-  programa a placa tem. Os nós usam o `modbus-serial` do npm no lugar do fork dos autores, que não está no npm.
-- **Uma linha** é um pseudoterminal em que cada byte leva o tempo que leva nos fios. Cada placa é lida a cada 10 ms, mais rápido que qualquer linha:
-  assim sempre há um pedido na fila. *Em uso* é o tempo dos bytes e dos silêncios de 3,5 caracteres que o Modbus pede antes de cada
-  resposta e de cada pergunta. Se o sistema permite, gateway e linha têm prioridade sobre todo o resto (`nice -n -19`).
-- **Tendência.** Mil pontos mudam uniformemente ao longo de 30 dias (`tools/history/examples/trend.rs`), gravados em ordem de tempo. Uma
-  tendência é o menor, o maior e o último valor de um ponto em cada um de 600 passos. Cada tendência é de outro ponto, sem gravações ao mesmo
-  tempo. Ela lê todas as amostras do ponto, e demora mais para um ponto que muda mais vezes.
-- **Não medido aqui:** o PostgreSQL.
+- **O computador** tem {processors} processadores e também simula as placas. Em média, {begin} programas usavam ou esperavam
+  um processador no minuto anterior à medição, e {end} no último minuto dela. Qualquer outra carga piora os números.
+- **Placas.** Um só processo as simula por Modbus TCP, vinte em cada linha (`tools/cli/examples/scale`). Cada gateway tem
+  200 delas, porque o Modbus permite no máximo 247 unidades; os números são totais de todos os gateways. Quatro dos 32
+  pontos mudam de uma leitura para outra, e o histórico em SQLite registra cada mudança. A cada leitura, o gateway verifica
+  se a placa ainda tem o seu programa.
+- **O Node-RED** 4 com node-red-contrib-modbus 5 lê as mesmas placas com o mesmo intervalo, depois do unoclp e na mesma
+  execução. Dois nós *Modbus Read* por placa leem os valores e as saídas, e uma função converte os registradores em números.
+  O Node-RED não guarda nada nem verifica que programa a placa tem. Os nós usam o `modbus-serial` do npm em vez do fork dos
+  autores, que não está no npm.
+- **Uma linha** é um pseudoterminal em que cada byte leva o mesmo tempo que em fios reais. Cada placa deve ser lida a cada
+  10 ms, mais rápido do que qualquer linha permite; por isso, sempre há uma requisição na fila. O *tempo em uso* é o
+  tempo ocupado pelos bytes e pelos silêncios que o Modbus exige antes de cada requisição e resposta. Se o sistema permitir, o gateway e a linha
+  têm prioridade sobre todo o resto (`nice -n -19`).
+- **Tendência.** Mil pontos mudam a intervalos iguais ao longo de 30 dias (`tools/history/examples/trend.rs`) e são gravados em
+  ordem cronológica. Uma tendência é o mínimo, o máximo e o último valor de um ponto em cada um de 600 intervalos. Cada
+  tendência é de um ponto diferente, sem gravações simultâneas. Uma tendência lê todas as amostras do ponto e, por isso,
+  demora mais para um ponto que muda com mais frequência.
+- **O PostgreSQL** não é medido aqui.
 ";
