@@ -41,7 +41,7 @@ const fn of(packages: &'static [&'static str]) -> Tests {
 const fn few(packages: &'static [&'static str]) -> Tests {
     Tests {
         percent: 5,
-        patience: 60,
+        patience: 20,
         ..of(packages)
     }
 }

@@ -5,7 +5,7 @@ use unoclp_core::isa::Opcode;
 use unoclp_core::{Board, Loader, Target};
 use unoclp_draw::edit::{
     Along, Canvas, Coil, Cursor, Document, Draft, Drawn, Editor, Node, Opening, Operation, Place,
-    Spot, Step, Strip, visit,
+    Row, Spot, Step, Strip, visit,
 };
 use unoclp_draw::{Area, Look};
 use unoclp_point::Address;
@@ -197,4 +197,16 @@ fn a_rung_that_is_not_drawn_again_is_as_if_it_were() {
     };
     (0..u64::from(rounds(60))).for_each(|seed| held(|| draw(seed)));
     assert!(kept > again, "{kept} of {again}");
+}
+
+#[test]
+fn a_point_is_shown_by_its_name() {
+    let mut editor = Editor::new(document());
+    let row = Row {
+        name: "start".to_owned(),
+        comment: String::new(),
+    };
+    let name = Operation::Name(Address::Input(1), row);
+    editor.apply(&name).unwrap();
+    assert!(svg(&canvas(editor.document())).contains("start"));
 }
