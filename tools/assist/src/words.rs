@@ -5,7 +5,7 @@ use unoclp_lang::typed::Standard;
 
 unoclp_words::messages! {
     nothing_to_rename() "there is no declared name here; put the cursor on one" "não há um nome declarado aqui; ponha o cursor em um";
-    no_name(name) "`{name}` cannot be a name; use letters, digits and _, but not a keyword" "`{name}` não serve de nome; use letras, algarismos e _, mas não uma palavra reservada";
+    no_name(name) "`{name}` cannot be a name; use letters, digits and _, but not a keyword" "`{name}` não serve de nome; use letras, algarismos e _, mas não uma palavra-chave";
     taken(name) "`{name}` is already used; choose another name" "`{name}` já está em uso; escolha outro nome";
     another(name) "the name `{name}` would change the program; choose another name" "o nome `{name}` mudaria o programa; escolha outro nome";
     place(points) "is at {points}" "fica em {points}";

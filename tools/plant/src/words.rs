@@ -14,7 +14,7 @@ unoclp_words::messages! {
         "`{key}` deve ser um número com unidade ({known}), mas {given} não é; escreva \"{example}\"";
     name(given)
         "{given} cannot be the name of a part; use a letter, then letters, digits or _, up to 24 characters, but not a Structured Text keyword"
-        "{given} não serve de nome de elemento; use uma letra e depois letras, algarismos ou _, até 24 caracteres, mas não uma palavra reservada do Texto Estruturado";
+        "{given} não serve de nome de elemento; use uma letra e depois letras, algarismos ou _, até 24 caracteres, mas não uma palavra-chave do Texto Estruturado";
     two_names(name)
         "two parts are called {name}; give each its own name"
         "dois elementos se chamam {name}; dê a eles nomes diferentes";

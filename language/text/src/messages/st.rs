@@ -71,7 +71,7 @@ macro_rules! st_rows {
     114 StReserved Error
         "`{0}` is a keyword and cannot be a name"
         "choose another name, such as {0}1"
-        "`{0}` é uma palavra reservada e não pode ser um nome"
+        "`{0}` é uma palavra-chave e não pode ser um nome"
         "escolha outro nome, como {0}1";
     115 StTypeFirst Error
         "in a declaration, the name comes first, then the type"
