@@ -97,7 +97,7 @@ pub const ROOMS: [Room; 5] = [
         name: "tools/client",
         package: "unoclp-client",
         rounds: &[Tests {
-            patience: 60,
+            patience: 20,
             ..of(&["unoclp-client"])
         }],
     },
