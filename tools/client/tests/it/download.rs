@@ -51,6 +51,16 @@ fn what_is_read_is_kept_as_the_same_again() {
 }
 
 #[test]
+fn a_request_reads_as_much_as_an_answer_holds() {
+    let mut wire = Wire::new(keeping(&format!("0\n{}", "827301\n877901\n".repeat(200))));
+    let bytes = usize::from(wire.board.kept.bytes);
+    wire.talk(async |client| download(client, Facts::UNO).await.map(drop))
+        .unwrap();
+    // One more has read how many bytes there are.
+    assert_eq!(wire.sent.len(), 1 + bytes.div_ceil(240));
+}
+
+#[test]
 fn what_is_no_program_of_this_board_is_not_shown() {
     let board = keeping(JUMPS);
     let with = |kept: Kept| Board {

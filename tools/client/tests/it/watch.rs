@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 use unoclp_boot::{Image, Model};
 use unoclp_client::live::Parts;
+use unoclp_client::lock;
 use unoclp_client::map::{Command, State, holding};
 use unoclp_client::order::{Order, Refusal, Undone};
 use unoclp_client::session::{Away, Desk, Event, Orders, talk, watch};
@@ -144,6 +145,46 @@ fn what_is_ordered_of_a_board_that_is_lost_is_not_done_later() {
         matches!(&undone[..], [Undone::Lost(_) | Undone::Away(Away::Gone(_))]),
         "{undone:?}"
     );
+}
+
+#[test]
+fn what_is_ordered_of_a_board_that_is_not_found_is_not_done() {
+    let watcher = watcher(usize::MAX, None, &[]);
+    let stop = Order::Command(Command::Stop);
+    watcher.ordered.borrow_mut().push_back(stop);
+    let mut sought = 0;
+    // It would answer all but who it is.
+    let mut wire = Wire::with(Board::default(), move |_, request| {
+        sought += u32::from(request[1] == 43);
+        match request[1] == 43 {
+            true if sought > 99 => Fate::Unplugged,
+            true => Fate::Lost,
+            false => Fate::Answered,
+        }
+    });
+    wire.talk(async |client: &mut Client| talk(client, &watcher, false).await);
+    assert_eq!(wire.board.state, RUN);
+    let undone = watcher.undone.take();
+    assert!(
+        matches!(undone[..], [Undone::Away(Away::NotFound(_))]),
+        "{undone:?}"
+    );
+}
+
+#[test]
+fn a_board_that_refuses_an_upload_is_watched_on() {
+    let text = crate::upload::FOLLOW;
+    let upload = crate::upload::program(text, |of| Upload::of(of, text.as_bytes()));
+    let mut board = Board::default();
+    board.settings[4] = lock::COMMANDS.into();
+    let (_, watcher, failure) = watched(board, 3, None, &[Order::Upload(Box::new(upload))]);
+    let undone = watcher.undone.take();
+    assert!(
+        matches!(undone[..], [Undone::NotStopped(Failure::Refused(_))]),
+        "{undone:?}"
+    );
+    assert_eq!(watcher.readings.borrow().len(), 3);
+    assert_eq!(failure, Failure::Lost("unplugged".to_owned()));
 }
 
 #[test]
