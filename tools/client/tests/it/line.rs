@@ -3,7 +3,7 @@
 use crate::fake::{Board, Fate, Trick, answer};
 use std::collections::VecDeque;
 use std::time::Duration;
-use unoclp_client::{Client, Conversation, Line, Next, Patience};
+use unoclp_client::{Client, Conversation, Known, Line, Next, Patience};
 
 pub const MS: Duration = Duration::from_millis(1);
 
@@ -28,6 +28,8 @@ pub struct Wire {
     pub byte: Duration,
     /// The times at which requests were sent, with what they were.
     pub sent: Vec<(Duration, Vec<u8>)>,
+    /// What conversations know of the board, each from the one before it.
+    known: Known,
 }
 
 impl Wire {
@@ -49,6 +51,7 @@ impl Wire {
             delay: 3 * MS,
             byte: Duration::ZERO,
             sent: Vec::new(),
+            known: Known::default(),
         }
     }
 
@@ -69,9 +72,11 @@ impl Wire {
         talk: impl AsyncFnOnce(&mut Client) -> T,
     ) -> T {
         let mut conversation = Conversation::new(Line::default(), patience, talk);
+        conversation.know(self.known);
         let mut came = Vec::new();
         loop {
             let step = conversation.step(self.now, &came);
+            self.known = conversation.known();
             if !step.send.is_empty() && self.carry(&step.send) == Fate::Unplugged {
                 conversation.lose("unplugged".to_owned());
             }

@@ -5,7 +5,8 @@ use crate::line::{MS, PATIENCE, Wire};
 use std::cell::Cell;
 use std::rc::Rc;
 use std::time::Duration;
-use unoclp_client::map::input;
+use unoclp_client::map::{Command, input};
+use unoclp_client::watch::command;
 use unoclp_client::{Client, Conversation, Failure, Line, Next, Patience, Step};
 use unoclp_modbus::Crc;
 
@@ -218,4 +219,24 @@ fn a_slow_line_is_given_its_time() {
     let sent = conversation.step(4 * character, &[]);
     let until = 4 * character + 512 * character + Duration::from_secs(1);
     assert_eq!(sent.next, Next::Wait(until));
+}
+
+/// Its boot loader would take a request for its own language, in this conversation and in the next one.
+#[test]
+fn a_mega_that_begins_again_is_left_alone_for_a_while() {
+    let mut wire = Wire::new(Board {
+        identity: ["unoclp", "unoclp Mega", "0.3.0"],
+        ..Board::default()
+    });
+    wire.talk(async |client| client.identify().await).unwrap();
+    let restart = async |client: &mut Client| command(client, Command::Restart).await;
+    wire.talk(restart).unwrap();
+    let begun = wire.now;
+    assert_eq!(wire.talk(state), Ok(RUN));
+    let (asked, _) = wire.sent.last().unwrap();
+    assert!(
+        *asked - begun >= Duration::from_secs(6),
+        "{:?}",
+        *asked - begun
+    );
 }

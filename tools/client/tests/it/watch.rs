@@ -273,7 +273,10 @@ fn a_firmware_is_written_without_a_board_that_answers() {
         .push_back(Order::Flash(Box::new(image)));
     let desk = &watcher;
     let talk = async move |client: &mut Client| talk(client, desk, true).await;
-    let line = Line::default();
+    let line = Line {
+        rate: 9_600,
+        ..Line::default()
+    };
     let mut conversation = Conversation::new(line, PATIENCE, talk);
     let (mut now, mut resets) = (Duration::ZERO, 0);
     // No boot loader answers either.
