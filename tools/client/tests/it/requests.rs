@@ -5,8 +5,8 @@ use crate::line::{MS, PATIENCE, Wire};
 use std::cell::Cell;
 use std::rc::Rc;
 use std::time::Duration;
-use unoclp_client::map::{Command, input};
-use unoclp_client::watch::command;
+use unoclp_client::map::{Command, holding, input};
+use unoclp_client::watch::{Forced, command};
 use unoclp_client::{Client, Conversation, Failure, Line, Next, Patience, Step};
 use unoclp_modbus::Crc;
 
@@ -221,16 +221,25 @@ fn a_slow_line_is_given_its_time() {
     assert_eq!(sent.next, Next::Wait(until));
 }
 
-/// Its boot loader would take a request for its own language, in this conversation and in the next one.
-#[test]
-fn a_mega_that_begins_again_is_left_alone_for_a_while() {
+/// A Mega that has said what it is.
+fn mega() -> Wire {
     let mut wire = Wire::new(Board {
         identity: ["unoclp", "unoclp Mega", "0.3.0"],
         ..Board::default()
     });
     wire.talk(async |client| client.identify().await).unwrap();
-    let restart = async |client: &mut Client| command(client, Command::Restart).await;
-    wire.talk(restart).unwrap();
+    wire
+}
+
+async fn restart(client: &mut Client) {
+    command(client, Command::Restart).await.unwrap();
+}
+
+/// Its boot loader would take a request for its own language, in this conversation and in the next one.
+#[test]
+fn a_mega_that_begins_again_is_left_alone_for_a_while() {
+    let mut wire = mega();
+    wire.talk(restart);
     let begun = wire.now;
     assert_eq!(wire.talk(state), Ok(RUN));
     let (asked, _) = wire.sent.last().unwrap();
@@ -239,4 +248,29 @@ fn a_mega_that_begins_again_is_left_alone_for_a_while() {
         "{:?}",
         *asked - begun
     );
+}
+
+#[test]
+fn a_mega_that_begins_again_says_all_of_its_text_before_it_is_asked() {
+    let mut wire = mega();
+    wire.talk(restart);
+    let begun = wire.now;
+    let text = b"\r\nunoclp 0.3.0\r\n3 bytes\r\nRUN\r\n";
+    // Its first part comes just before the boot loader has given up.
+    for (n, part) in (0..).zip(text.chunks(5)) {
+        wire.say(5_950 * MS + 20 * MS * n, part);
+    }
+    assert_eq!(wire.talk(state), Ok(RUN));
+    let (asked, _) = wire.sent.last().unwrap();
+    assert!(*asked - begun > 6_050 * MS, "{:?}", *asked - begun);
+}
+
+#[test]
+fn what_is_forced_of_a_mega_is_read_with_the_inputs_that_a_uno_lacks() {
+    let mut wire = mega();
+    // The board in memory has none: it refuses.
+    let _ = wire.talk(Forced::read);
+    let asked = wire.sent.iter().map(|(_, sent)| (sent[1], sent[5]));
+    let all = holding::MORE_TO.first + 1 - holding::FORCED_INPUTS.first;
+    assert!(asked.collect::<Vec<_>>().contains(&(3, all as u8)));
 }

@@ -1,7 +1,7 @@
 //! Uploading to a board.
 
 use crate::fake::{Board, FAULT, Fate, RUN, STOP, is_block, kept};
-use crate::line::Wire;
+use crate::line::{PATIENCE, Wire};
 use unoclp_client::diagnostics::{Kept, Trouble};
 use unoclp_client::event::Undone;
 use unoclp_client::map::{BLOCK_BYTES, Command, State, flag, holding};
@@ -404,6 +404,19 @@ fn a_board_that_restarts_is_waited_for() {
     });
     let stored = send(&mut wire, FOLLOW).unwrap();
     assert_eq!(then(&mut wire, State::Fault, stored, false), Behind::Run);
+}
+
+#[test]
+fn a_board_that_does_not_start_is_given_up() {
+    let mut wire = Wire::with(Board::in_state(FAULT), |board, _| match board.restarts {
+        0 => Fate::Answered,
+        _ => Fate::Lost,
+    });
+    let stored = send(&mut wire, FOLLOW).unwrap();
+    let begun = wire.now;
+    let started = wire.talk(async |client| go_on(client, State::Fault, stored, false).await);
+    assert_eq!(started, Err(Failure::Silent));
+    assert!(wire.now - begun >= PATIENCE.start);
 }
 
 #[test]
