@@ -375,3 +375,42 @@ pub async fn await_start(client: &mut Client) -> Result<Diagnostics, Failure> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_an_end_whose_program_is_kept_is_an_upload() {
+        let [sent, old] = [5, 6].map(|sum| Kept {
+            sum,
+            ..Kept::default()
+        });
+        let board = |flags, program| Diagnostics {
+            flags,
+            program,
+            ..Diagnostics::default()
+        };
+        let cases = [
+            (board(0, sent), true, Ok(sent)),
+            (board(0, sent), false, Err(Broken::Ended)),
+            (board(0, old), true, Err(Broken::Ended)),
+            (board(flag::UPLOAD, sent), true, Err(Broken::Ended)),
+        ];
+        for (board, last, told) in cases {
+            assert_eq!(explain(&board, last, sent), told);
+        }
+        let trouble = Trouble {
+            number: 24,
+            line: Some(2),
+        };
+        let faulty = |flags| Diagnostics {
+            trouble: Some(trouble),
+            ..board(flags, old)
+        };
+        let under_way = explain(&faulty(flag::UPLOAD), false, sent);
+        assert_eq!(under_way, Err(Broken::Ended));
+        let over = explain(&faulty(0), false, sent);
+        assert_eq!(over, Err(Broken::Fault(trouble)));
+    }
+}

@@ -390,6 +390,8 @@ mod tests {
         forced.outputs.set(0, Some(false));
         assert!(forced.any());
         assert_eq!(forced.to_string(), "I3=1 Q1=0");
+        forced.outputs = forced.inputs;
+        assert!(forced.any());
     }
 
     #[test]

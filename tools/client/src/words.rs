@@ -356,6 +356,37 @@ mod tests {
     }
 
     #[test]
+    fn each_end_of_an_upload_has_a_text_of_its_own() {
+        let fault = Trouble {
+            number: 24,
+            line: None,
+        };
+        let ends = [
+            (Behind::Run, "runs"),
+            (Behind::Stop, "STOP"),
+            (Behind::Switch, "the STOP switch"),
+            (Behind::Faulty, "is in FAULT"),
+            (Behind::Card, "PROGRAM.TXT"),
+            (Behind::Trouble(fault), "fault 24"),
+            (Behind::Failing(None), "FAULT"),
+            (Behind::Failing(Some(fault)), "fault 24"),
+        ];
+        for (end, says) in ends {
+            let text = behind(Lang::En, end);
+            assert!(text.contains(says), "{end:?}: {text}");
+        }
+    }
+
+    #[test]
+    fn why_a_program_is_not_read_is_told() {
+        let [english, portuguese] = said(|lang| unread(lang, &Unread::Empty));
+        assert_eq!(english, "the board has no program");
+        assert_eq!(portuguese, "a placa não tem programa");
+        let silent = unread(Lang::En, &Unread::Failed(Failure::Silent));
+        assert!(silent.contains("does not answer"), "{silent}");
+    }
+
+    #[test]
     fn trouble_reads_as_everywhere() {
         let told = |number, line| said(|lang| trouble(lang, Trouble { number, line }));
         let known = told(24, Some(7));

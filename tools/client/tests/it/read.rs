@@ -3,12 +3,12 @@
 use crate::fake::{Board, FAULT, Fate, RUN, STOP, kept};
 use crate::line::Wire;
 use unoclp_client::diagnostics::{Diagnostics, Kept};
-use unoclp_client::event::Again;
+use unoclp_client::event::{Again, Unsettled};
 use unoclp_client::lock;
 use unoclp_client::map::{Command, Parity, State, cause, holding, input};
 use unoclp_client::order::{Done, Order, Undone};
 use unoclp_client::settings::{Settings, read_lock};
-use unoclp_client::settle::{go_on, settle};
+use unoclp_client::settle::{go_on, may_settle, settle};
 use unoclp_client::watch::{Forces, Meter, Reading, Scope, Side};
 use unoclp_client::{Client, Failure};
 use unoclp_modbus::Exception;
@@ -297,6 +297,28 @@ fn a_lock_holds_at_once_and_an_address_from_the_next_start() {
         assert_eq!(settled.is_for_next, is_for_next, "{new:?}");
         assert_eq!(wire.talk(Settings::read), Ok(new));
     }
+}
+
+#[test]
+fn settings_that_no_board_would_keep_are_not_sent() {
+    let open = Settings {
+        address: 1,
+        rate: 9_600,
+        parity: Parity::None,
+        direction: false,
+        lock: Some(0),
+    };
+    let with = |lock| Settings {
+        lock: Some(lock),
+        ..open
+    };
+    let slow = Settings { rate: 300, ..open };
+    assert_eq!(may_settle(slow, open), Err(Unsettled::Rate(300)));
+    let (less, more) = (with(lock::UPLOAD), with(lock::UPLOAD | lock::WRITING));
+    assert_eq!(may_settle(less, more), Err(Unsettled::LockShrinks));
+    let locked = with(lock::SETTINGS);
+    assert_eq!(may_settle(locked, locked), Err(Unsettled::Locked));
+    assert_eq!(may_settle(more, less), Ok(()));
 }
 
 #[test]

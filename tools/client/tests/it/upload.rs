@@ -2,6 +2,7 @@
 
 use crate::fake::{Board, FAULT, Fate, RUN, STOP, is_block, kept};
 use crate::line::{PATIENCE, Wire};
+use std::time::Duration;
 use unoclp_client::diagnostics::{Kept, Trouble};
 use unoclp_client::event::Undone;
 use unoclp_client::map::{BLOCK_BYTES, Command, State, flag, holding};
@@ -9,7 +10,7 @@ use unoclp_client::upload::{
     Behind, Broken, Codes, FIRST_SCANS, Pass, Progress, Upload, end, go_on, needs, stop, upload,
 };
 use unoclp_client::watch::command;
-use unoclp_client::{Failure, lock};
+use unoclp_client::{Failure, Patience, lock};
 use unoclp_core::{Loader, Program};
 use unoclp_modbus::eeprom::program::FORM;
 use unoclp_modbus::{Exception, Points};
@@ -143,6 +144,39 @@ fn the_answer_to_the_end_may_take_as_long_as_storing_does() {
         let sent = send(&mut wire, FOLLOW);
         assert_eq!(sent.is_ok(), is_waited_for, "{sent:?}");
     }
+}
+
+/// The board answers the second end after 4 s: each byte of the program takes some ms more than patience has.
+#[test]
+fn a_long_program_may_take_longer_to_store() {
+    let is_end = |request: &[u8]| is_block(request) && request[8] == 0;
+    for (program, most) in [(FOLLOW.to_owned(), 3), (long(), 3), (rungs(), 2)] {
+        let mut ends = 0;
+        let mut wire = Wire::with(Board::in_state(STOP), move |_, request| {
+            ends += u32::from(is_end(request));
+            match is_end(request) && ends == 2 {
+                true => Fate::Slow,
+                false => Fate::Answered,
+            }
+        });
+        let patience = Patience {
+            store: Duration::from_millis(3_500),
+            ..PATIENCE
+        };
+        let sent = kept(&program);
+        wire.talk_with(patience, async |client| {
+            upload(client, program.as_bytes(), sent, &mut |_| {}).await
+        })
+        .unwrap();
+        let ends = wire.sent.iter();
+        let ends = ends.filter(|(_, request)| is_end(&request[..request.len() - 2]));
+        assert_eq!(ends.count(), most, "{} bytes", sent.bytes);
+    }
+}
+
+/// A program that takes some hundred bytes.
+fn rungs() -> String {
+    format!("0\n{}", "827301\n877901\n".repeat(200))
 }
 
 #[test]

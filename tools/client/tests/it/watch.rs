@@ -15,6 +15,7 @@ use unoclp_client::session::{Away, Desk, Event, Orders, talk, watch};
 use unoclp_client::upload::Upload;
 use unoclp_client::watch::{Reading, Scope, Side};
 use unoclp_client::{Client, Conversation, Failure, Format, Line, Next, Parity};
+use unoclp_point::Address;
 
 /// Who watches: orders one thing after each reading, and unplugs the board after so many.
 struct Watcher {
@@ -240,6 +241,13 @@ fn a_wish_that_is_refused_is_told_with_how_the_board_stands() {
     };
     let (_, watcher, _) = watched(switched, 2, None, &[run]);
     assert_eq!(watcher.undone.take(), [Undone::Refused(Refusal::Switch)]);
+}
+
+#[test]
+fn a_point_that_no_client_may_write_is_not_asked_for() {
+    let input = Address::Input(1);
+    let (_, watcher, _) = watched(Board::default(), 2, None, &[Order::Set(input, 1)]);
+    assert_eq!(watcher.undone.take(), [Undone::NoPoint(input)]);
 }
 
 #[test]
