@@ -2,6 +2,7 @@
 
 mod canvas;
 mod cases;
+mod made;
 mod meaning;
 mod operations;
 mod random;
