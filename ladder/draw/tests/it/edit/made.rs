@@ -1,6 +1,7 @@
 //! Documents and elements that others make.
 
 use super::canvas::of_codes;
+use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
 use unoclp_draw::Names;
 use unoclp_draw::edit::{Document, Draft, Refusal, Step};
@@ -29,4 +30,12 @@ fn only_a_comparison_has_a_load_and_only_a_load() {
     for (load, step) in [(&not, &greater), (&load, &not), (&not, &not)] {
         assert_eq!(is_one(load, step).err(), Some(Refusal::NotAnElement));
     }
+}
+
+#[test]
+fn a_timer_says_what_it_drives() {
+    let lines = [Some(500), Some(7901)];
+    let target = |opcode| Step::new(opcode).with_lines(lines).target();
+    assert_eq!(target(Opcode::OnDelay), Some(Target::Output(1)));
+    assert_eq!(target(Opcode::Add), None);
 }
