@@ -17,6 +17,8 @@ fn a_document_of_rungs_has_their_codes_and_says_what_it_is_given() {
     assert_eq!(made.codes(), of.codes());
     assert_eq!(made.title(), title);
     assert_eq!(made.table().names(), names);
+    let named = [1, 2].map(|input| made.table().get(Address::Input(input)).is_some());
+    assert_eq!(named, [true, false]);
     assert_eq!(of.clone().with_names(names.clone()).codes(), of.codes());
     assert_eq!(of.with_names(names.clone()).table().names(), names);
 }
