@@ -194,6 +194,23 @@ fn what_a_board_has_not_enough_of() {
 }
 
 #[test]
+fn a_nano_says_in_all_cases_that_it_has_no_real_numbers() {
+    let text = "VAR r : REAL; END_VAR\nr := r + 1.5;\n";
+    let told = compile_text(text, TextLanguage::St, Board::NANO).diagnostics;
+    let says = [
+        (Lang::En, "a Nano has no REAL numbers"),
+        (Lang::Pt, "um Nano não tem números REAL"),
+    ];
+    for (lang, part) in says {
+        let message = told.iter().map(|d| d.message(lang)).next();
+        assert!(
+            message.as_deref().is_some_and(|m| m.contains(part)),
+            "{message:?}"
+        );
+    }
+}
+
+#[test]
 fn both_languages_have_help_or_none() {
     for &code in Code::ALL {
         let diagnostic = Diagnostic::new(code, Span::default(), Vec::new());

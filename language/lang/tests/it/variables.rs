@@ -50,3 +50,12 @@ fn codes_are_those_of_the_program_file() {
     let codes = lines.filter_map(|code| code.parse().ok());
     assert_eq!(made.codes(), codes.collect::<Vec<i32>>(), "{file}");
 }
+
+#[test]
+fn what_print_shows_is_watched() {
+    let text = "BLOCO INT i; INT j; i := i + 1; j := i; PRINT(i); END_BLOCK";
+    let made = compile_text(text, TextLanguage::Iscl, unoclp_core::Board::UNO);
+    let watched = made.variables.iter().filter(|of| of.is_watched);
+    let names: Vec<&str> = watched.map(|of| &*of.name).collect();
+    assert_eq!(names, ["i"], "{:?}", made.diagnostics);
+}
