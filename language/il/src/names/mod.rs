@@ -184,13 +184,12 @@ impl<'t> Names<'t> {
     ) -> Place {
         let name = match &operand.kind {
             OperandKind::Name(name) => name,
-            OperandKind::Number(number)
-            | OperandKind::Unsigned(number)
-            | OperandKind::Time(number)
-            | OperandKind::Real(number) => return Place::Number(Num::Const(*number)),
             OperandKind::Piece(_) => return Place::Typed,
             OperandKind::Bool(state) => return Place::Always(*state),
-            OperandKind::Unknown => return Place::Unknown,
+            _ => {
+                let number = operand.number().map(Num::Const);
+                return number.map_or(Place::Unknown, Place::Number);
+            }
         };
         let span = operand.span;
         if let Some(place) = self.declared_place(name, span, instance, found) {
