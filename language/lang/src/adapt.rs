@@ -47,13 +47,18 @@ mod tests {
         adapt(text, TextLanguage::St, Board::UNO).unwrap()
     }
 
+    fn pairs(of: &[(String, String)]) -> Vec<(&str, &str)> {
+        let pairs = of.iter().map(|(old, new)| (&**old, &**new));
+        pairs.collect()
+    }
+
     #[test]
     fn points_that_lack_take_free_ones_by_order_of_use() {
         let made = adapted(
             "VAR a AT %QX1.3 : BOOL; b AT %QX0.0 : BOOL; END_VAR\na := %IX2.0 AND %qx1.3; (* %QX9.9 *)\n",
         );
         let moved = [("%QX1.3", "%QX0.1"), ("%IX2.0", "%IX0.0")];
-        assert_eq!(made.moved, moved.map(|(a, b)| (a.to_owned(), b.to_owned())));
+        assert_eq!(pairs(&made.moved), moved);
         let text = "(* unoclp adapt, UNO:\n   %QX1.3 -> %QX0.1\n   %IX2.0 -> %IX0.0\n*)\n\
                     VAR a AT %QX0.1 : BOOL; b AT %QX0.0 : BOOL; END_VAR\na := %IX0.0 AND %QX0.1; (* %QX9.9 *)\n";
         assert_eq!(made.text, text);
@@ -79,7 +84,7 @@ mod tests {
             "VAR a AT %MD1 : DINT; b AT %QD1 : REAL; c AT %ID1 : DINT; END_VAR\nb := %qd1 + 1.0;\n",
         );
         let moved = [("%QD1", "%MD2"), ("%ID1", "%MD3")];
-        assert_eq!(made.moved, moved.map(|(a, b)| (a.to_owned(), b.to_owned())));
+        assert_eq!(pairs(&made.moved), moved);
         assert!(made.text.ends_with("b := %MD2 + 1.0;\n"));
     }
 
