@@ -77,7 +77,7 @@ export class SlowMotion {
         h("span", { "data-say": words }), h("small", { class: "note", "aria-hidden": "true" }, keys)));
     const close = h("button", { type: "button", class: "quiet", id: "slow-close", "data-say-label": "slowClose", click: () => this.end("slowEnded") }, "×");
     this.root = h("section", { class: "slow", id: "slow", "data-say-label": "slow", hidden: true },
-      h("div", { class: "slow-bar", role: "toolbar", "data-say-label": "slow" }, ...buttons, h("span", { class: "grow" }), close), this.state, this.breaks, this.beside);
+      h("div", { class: "slow-head" }, h("div", { class: "slow-bar", role: "toolbar", "data-say-label": "slow" }, ...buttons), this.state, close), this.breaks, this.beside);
     byId("views").after(this.root);
     document.addEventListener("keydown", (event) => this.press(event), { capture: true });
     document.addEventListener(DRAWN, () => this.show());
