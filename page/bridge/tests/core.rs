@@ -10,7 +10,7 @@ use unoclp_bridge::Boards;
 use unoclp_core::{Board, Inputs, Point};
 use unoclp_host_sim::engine::{Engine, HostEngine};
 use unoclp_host_sim::random::{Random, random_inputs_on, random_program_on};
-use unoclp_testing::rounds;
+use unoclp_testing::{held, rounds};
 
 /// A page with such a board, at a time in ms.
 struct Page {
@@ -234,8 +234,8 @@ fn what_needs_a_program_or_a_board_is_refused() {
 /// What a page shows is what a scenario sees: the same core, scan by scan.
 #[test]
 fn it_does_what_the_core_does() {
-    let mut random = Random::new(29);
-    for _ in 0..rounds(40) {
+    let run = |seed: u32| {
+        let mut random = Random::new(seed.into());
         let code = random_program_on(&mut random, Board::PC);
         let mut page = Page::new("pc");
         page.upload("P.TXT", &code, "pc");
@@ -280,5 +280,6 @@ fn it_does_what_the_core_does() {
                 "{now}: {code}"
             );
         }
-    }
+    };
+    (0..rounds(40)).for_each(|seed| held(|| run(seed)));
 }

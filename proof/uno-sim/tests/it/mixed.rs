@@ -8,7 +8,7 @@ use unoclp_core::{Board, Image, Inputs};
 use unoclp_host_sim::engine::Engine;
 use unoclp_lang::{TextLanguage, compile_text};
 use unoclp_plcopen::import;
-use unoclp_testing::{Random, mixed_project, rounds};
+use unoclp_testing::{Random, held, mixed_project, rounds};
 use unoclp_uno_sim::Uno;
 use unoclp_uno_sim::avr8js::Avr8js;
 use unoclp_uno_sim::engine::{Clock, FirmwareEngine};
@@ -63,7 +63,7 @@ fn compare<S: Starts>(projects: u32) {
     let projects = rounds(projects);
     let mut uno = FirmwareEngine::<S>::new(common::firmware(), Clock::Lockstep).unwrap();
     let seeds = (0..).take(4 * projects as usize);
-    let ran = seeds.filter_map(|seed| compared(&mut uno, seed));
+    let ran = seeds.filter_map(|seed| held(|| compared(&mut uno, seed)));
     let ran = ran.take(projects as usize).count();
     assert_eq!(ran, projects as usize);
 }

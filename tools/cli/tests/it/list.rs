@@ -9,6 +9,7 @@ use unoclp_draw::{Ladder, Medium, NARROWEST, Names, Style};
 use unoclp_host_sim::random::{Random, random_program};
 use unoclp_program::list::{Form, svg};
 use unoclp_program::{Lang, Source, Written, load};
+use unoclp_testing::held;
 
 /// What every program can be listed as.
 fn list(source: &Source, form: Form, width: usize, lang: Lang) -> String {
@@ -136,9 +137,9 @@ fn every_instruction_is_listed() {
 
 #[test]
 fn random_programs_keep_every_step_once_at_every_width() {
-    let mut random = Random::new(7);
-    for number in 0..400 {
-        let file = random_program(&mut random);
+    let run = |seed: u64| {
+        let random = &mut Random::new(seed);
+        let file = random_program(random);
         let checked = load(file.as_bytes(), unoclp_core::Board::UNO).unwrap();
         let program = checked.program();
         let ladder = Ladder::new(program.steps());
@@ -180,9 +181,10 @@ fn random_programs_keep_every_step_once_at_every_width() {
         let widest = listing.lines().map(|line| line.chars().count()).max();
         assert!(widest <= Some(width), "{listing}");
         let listed = list(&numeric(file.as_bytes()), Form::Numeric, width, Lang::En);
-        assert_eq!(plain(&listed), plain(&file), "program {number}");
+        assert_eq!(plain(&listed), plain(&file), "seed {seed}");
         assert!(svg(&numeric(file.as_bytes()), width, Lang::En).starts_with("<svg"));
-    }
+    };
+    (0..400).for_each(|seed| held(|| run(seed)));
 }
 
 /// A program's stored form, without the lines that its jumps remember.

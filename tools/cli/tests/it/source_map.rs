@@ -6,6 +6,7 @@ use unoclp_checked::Place;
 use unoclp_core::Board;
 use unoclp_host_sim::random::{Random, random_program};
 use unoclp_program::{Source, Written};
+use unoclp_testing::held;
 
 fn check(name: &str, text: &[u8]) -> Source {
     let on = |board| Written::new(name.to_owned(), text.into(), board).check(None);
@@ -78,12 +79,11 @@ fn each_step_of_numeric_code_stands_at_its_code() {
         assert_numeric(&path.display().to_string(), &fs::read(&path).unwrap());
     }
     // Written in all the ways that numeric code may be: blanks, comments, marks, line ends.
-    let mut random = Random::new(11);
-    for number in 0..300 {
-        let file = random_program(&mut random);
-        let name = format!("program {number}.txt");
-        assert_numeric(&name, file.as_bytes());
-    }
+    let run = |seed: u64| {
+        let file = random_program(&mut Random::new(seed));
+        assert_numeric(&format!("program {seed}.txt"), file.as_bytes());
+    };
+    (0..300).for_each(|seed| held(|| run(seed)));
 }
 
 /// The faults of a running program name lines of numeric code: each of them leads to the step that has
