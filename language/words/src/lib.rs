@@ -91,10 +91,12 @@ fn values(text: &str) -> Vec<&str> {
     names
 }
 
-/// An error of the system, which says `told` of itself in English.
+/// An error of the system, which says `told` of itself in English, with its number after it.
 pub fn system(lang: Lang, kind: ErrorKind, told: &str) -> String {
     let portuguese = match kind {
-        _ if lang == Lang::En => return told.to_owned(),
+        _ if lang == Lang::En => {
+            return told.split(" (os error ").next().unwrap_or(told).to_owned();
+        }
         // An error that a program has made says what the program has put into words.
         ErrorKind::Other => return told.to_owned(),
         ErrorKind::NotFound => "não existe",
@@ -138,7 +140,7 @@ mod tests {
 
     #[test]
     fn errors_of_the_system_are_told_in_both_languages() {
-        let told = |lang| system(lang, ErrorKind::NotFound, "No such file");
+        let told = |lang| system(lang, ErrorKind::NotFound, "No such file (os error 2)");
         assert_eq!(told(Lang::En), "No such file");
         assert_eq!(told(Lang::Pt), "não existe");
     }
