@@ -184,14 +184,18 @@ mod tests {
         for (day, text) in [
             (0, "1970-01-01"),
             (59, "1970-03-01"),
+            (-25_509, "1900-02-28"),
             (11_016, "2000-02-29"),
+            (47_541, "2100-03-01"),
             (49_710, "2106-02-07"),
         ] {
             assert_eq!(date(day), text);
             let parts: Vec<i128> = text.split('-').map(|part| part.parse().unwrap()).collect();
             assert_eq!(days(parts[0], parts[1], parts[2]), Some(day));
         }
-        assert_eq!(days(2023, 2, 29), None);
+        for year in [1900, 2023, 2100] {
+            assert_eq!(days(year, 2, 29), None);
+        }
     }
 
     #[test]

@@ -36,6 +36,7 @@ fn held(plc: &Plc<'_>, place: &str, base: Base, now: u32) -> Option<Value> {
     Some(match letter {
         "M" => bit(plc.markers() >> at? & 1 != 0),
         "Q" if base == Base::Bool => bit(plc.outputs().0 >> at? & 1 != 0),
+        "Q" if number == 0 => Value::Int((plc.outputs().0 & 0xFF) as i128),
         "Q" => Value::Int(plc.pwm(number).into()),
         "D" => {
             let raw = *plc.registers().get(at?)?;

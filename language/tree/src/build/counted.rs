@@ -19,17 +19,24 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// Whether a bit string goes into a number, or a number into a bit string, and loses nothing; then that is told.
+    /// Of a bit string that goes into a number, or a number into a bit string, with no loss: the bit string, and the number
+    /// of its size. In Instruction List neither does.
+    pub(super) fn bits_counted(&self, from: Base, to: Base) -> Option<(Base, Base)> {
+        match (from.counted(), to.counted()) {
+            _ if self.is_list => None,
+            (Some(number), None) if to.is_int() && number.widens_to(to) => Some((from, number)),
+            (None, Some(number)) if from.is_int() && from.widens_to(number) => Some((to, number)),
+            _ => None,
+        }
+    }
+
+    /// Whether it does so; then that is told.
     pub(super) fn takes_bits(&mut self, from: Base, to: Base, at: Span) -> bool {
-        let (bits, number) = match (from.counted(), to.counted()) {
-            (Some(number), None) if to.is_int() && number.widens_to(to) => (from, number),
-            (None, Some(number)) if from.is_int() && from.widens_to(number) => (to, number),
-            _ => return false,
-        };
-        if !self.is_list {
+        let counted = self.bits_counted(from, to);
+        if let Some((bits, number)) = counted {
             self.told_counted(bits, number, at);
         }
-        !self.is_list
+        counted.is_some()
     }
 
     /// The bit string that two operands come to, where both are one, or one is a number of the text.

@@ -215,6 +215,19 @@ impl Builder<'_, '_> {
         let Some(to) = self.writable(to) else {
             return false;
         };
+        let bases = self
+            .tree
+            .types
+            .base(param.ty)
+            .zip(self.tree.types.base(to.ty));
+        let bases = bases.filter(|&(from, into)| {
+            let goes = self.goes_into(from, into) || self.bits_counted(from, into).is_some();
+            goes && !self.is_enum(to.ty)
+        });
+        if bases.is_none() && !self.tree.types.same(param.ty, to.ty) {
+            self.told_other_type(&to, param.ty);
+            return false;
+        }
         if let Some(instance) = instance {
             let mut from = instance.clone();
             from.place.offset += param.offset;
@@ -232,17 +245,11 @@ impl Builder<'_, '_> {
             after.extend(statement);
             return right;
         }
-        let value = match (self.tree.types.base(param.ty), self.tree.types.base(to.ty)) {
-            (Some(from), Some(base)) if self.goes_into(from, base) && !self.is_enum(to.ty) => {
-                let how = conversion(from, base).unwrap_or(Convert::Keep);
-                Some((from, how, self.store_of(to.ty)))
-            }
-            _ if self.tree.types.same(param.ty, to.ty) => None,
-            _ => {
-                self.told_other_type(&to, param.ty);
-                return false;
-            }
-        };
+        let value = bases.map(|(from, into)| {
+            self.takes_bits(from, into, argument.at);
+            let how = conversion(from, into).unwrap_or(Convert::Keep);
+            (from, how, self.store_of(to.ty))
+        });
         call.outputs.push(Output {
             from: param.offset,
             cells: self.tree.types.get(param.ty).cells,
