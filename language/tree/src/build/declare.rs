@@ -170,7 +170,7 @@ impl Builder<'_, '_> {
         root: Root,
         traits: &Traits,
     ) -> Option<u32> {
-        if section == Section::InOut && matches!(root, Root::Lent(_)) {
+        if matches!(root, Root::Lent(_)) {
             let draft = self.here()?;
             draft.unit.references += 1;
             return Some(draft.unit.references - 1);
