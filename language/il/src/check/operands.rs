@@ -392,7 +392,11 @@ impl Walk<'_, '_, '_> {
             return None;
         }
         if self.is_plain(&expr) {
-            return Some(expr);
+            // A time of the text is a number like any other from here on.
+            return Some(Expr {
+                ty: TypeId::of(expr.base),
+                ..expr
+            });
         }
         self.bits_of_real(expr)
     }

@@ -1,12 +1,12 @@
 //! What always holds of a finished tree: whoever runs or lowers it asks no question of types again.
 
-use std::fs;
-use std::path::Path;
+use crate::typed;
+use std::collections::BTreeMap;
+use unoclp_lang::check;
 use unoclp_lang::typed::{
     Base, Binary, Call, Convert, Expr, ExprKind, Extra, Input, Place, Stmt, StmtKind, Store, Tree,
     Unary,
 };
-use unoclp_lang::{TextLanguage, check};
 
 /// What is wrong with an expression or what is within it.
 fn expression(expr: &Expr, tree: &Tree, faults: &mut Vec<String>) {
@@ -250,17 +250,13 @@ pub fn faults(tree: &Tree) -> Vec<String> {
 
 #[test]
 fn the_trees_of_all_cases_are_settled() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/typed");
-    let mut trees = 0;
-    for entry in fs::read_dir(folder).unwrap() {
-        let text = fs::read_to_string(entry.unwrap().path()).unwrap();
-        for part in text.split("\nst = '''\n").skip(1) {
-            let text = part.split("'''").next().unwrap();
-            if let Some(tree) = check(text, TextLanguage::St, unoclp_core::Board::UNO).tree {
-                assert_eq!(faults(&tree), [""; 0], "{text}");
-                trees += 1;
-            }
+    let mut trees = BTreeMap::new();
+    for (file, case) in typed::all() {
+        let (text, language) = case.text().expect("one text");
+        if let Some(tree) = check(text, language, unoclp_core::Board::UNO).tree {
+            assert_eq!(faults(&tree), [""; 0], "{file}: {}\n{text}", case.name);
+            *trees.entry(language.name()).or_insert(0) += 1;
         }
     }
-    assert!(trees > 35, "{trees}");
+    assert!(trees.len() == 5 && trees["st"] > 100, "{trees:?}");
 }
