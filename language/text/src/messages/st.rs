@@ -279,9 +279,9 @@ macro_rules! st_rows {
         "o intervalo {0}..{1} está vazio"
         "escreva o menor número primeiro: {1}..{0}";
     163 StTooLarge Error
-        "`{0}` is too large: it has {1} values, but a program has room for {2}"
+        "`{0}` is too large: it has {1} values, and all variables together may have {2}"
         "use a smaller array"
-        "`{0}` é grande demais: tem {1} valores, mas um programa comporta {2}"
+        "`{0}` é grande demais: tem {1} valores, e todas as variáveis juntas podem ter {2}"
         "use uma matriz menor";
     164 StCaseTwice Error
         "{0} appears twice in this CASE"
