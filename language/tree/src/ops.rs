@@ -79,11 +79,9 @@ pub fn binary(op: Binary, base: Base, a: &Value, b: &Value) -> Outcome {
     }
 }
 
-/// Numbers of a text, which do not wrap.
+/// Numbers of a text, each of at most 64 bits, where what comes of them can exceed 128.
 fn exactly(op: Binary, x: i128, y: i128) -> Option<Outcome> {
     let number = match op {
-        Binary::Add => x.checked_add(y),
-        Binary::Subtract => x.checked_sub(y),
         Binary::Multiply => x.checked_mul(y),
         Binary::Power => u32::try_from(y).ok().and_then(|y| x.checked_pow(y)),
         _ => return None,

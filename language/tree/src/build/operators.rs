@@ -191,11 +191,14 @@ impl Builder<'_, '_> {
             return self.converted(product, Convert::Round, ty);
         }
         let by = self.settled(by);
-        let how = match by.base.bits() {
-            64 => Convert::Wrap,
-            _ => Convert::Keep,
-        };
-        let by = self.converted(by, how, ty);
+        if by.base.bits() == 64 {
+            let long = TypeId::of(Base::Lint);
+            let time = self.converted(time, Convert::Keep, long);
+            let by = self.converted(by, Convert::Wrap, long);
+            let made = self.binary(op, Base::Lint, long, time, by, at);
+            return self.converted(made, Convert::Wrap, ty);
+        }
+        let by = self.converted(by, Convert::Keep, ty);
         self.binary(op, Base::Time, ty, time, by, at)
     }
 
