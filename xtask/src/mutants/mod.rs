@@ -101,6 +101,11 @@ fn measure(room: &Room, args: &Args) -> Result<()> {
             tests.packages.join(", ")
         ));
         tree::refresh(root(), &source)?;
+        // A compiler that was stopped as it wrote what it keeps of a mutant would take it for the source.
+        let kept_by_compiler = root().join(FOLDER).join("build/mutants/incremental");
+        if kept_by_compiler.exists() {
+            fs::remove_dir_all(kept_by_compiler)?;
+        }
         shell::run(unchanged(tests).current_dir(&source)).context("the tests without a mutant")?;
         // A run that is stopped has then tried the first of the order, not those of the first files.
         for batch in open.chunks(BATCH) {
