@@ -4,6 +4,7 @@ use crate::operators::Op;
 use unoclp_core::isa::Opcode;
 use unoclp_point::is_block;
 use unoclp_text::diagnostics::Span;
+use unoclp_tree::build::Edge;
 
 /// A name as it is written, in upper case and without blanks.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -61,6 +62,8 @@ pub(crate) struct Var {
     pub name: Word,
     pub at: Option<Operand>,
     pub ty: Word,
+    /// `R_EDGE` or `F_EDGE` after its type.
+    pub edge: Option<Edge>,
     /// `TRUE`, or `(PT := T#5s)`.
     pub init: Vec<Init>,
     /// The number of its declaration, where its type is none of bits, whole numbers of the board, or blocks.

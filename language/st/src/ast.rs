@@ -1,6 +1,7 @@
 //! What stands in a text, before anything is known of its names.
 
 use unoclp_text::diagnostics::Span;
+use unoclp_tree::build::Edge;
 use unoclp_tree::{Base, Binary, Compare, UnitKind, Value};
 
 /// A name and its place.
@@ -148,13 +149,6 @@ pub(super) struct Decl {
     pub initial: Option<Init>,
     /// `R_EDGE`, which is rising, or `F_EDGE`.
     pub edge: Option<Edge>,
-}
-
-/// What an input is of the value that a call gives it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Edge {
-    pub is_rising: bool,
-    pub span: Span,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,6 +6,7 @@
 use super::ast::{Decl, File, Name, Node, NodeKind, Part, Path, SpecKind, TypeSpec};
 use super::parser::{Parsed, Parser};
 use unoclp_text::diagnostics::{Found, Span};
+use unoclp_tree::build::Edge;
 
 /// A value, or a variable with its members and subscripts.
 #[derive(Debug)]
@@ -133,6 +134,11 @@ impl Declared {
         read(text, piece, found, |parser| {
             Ok(Declared(parser.declaration()?))
         })
+    }
+
+    /// `R_EDGE` or `F_EDGE` after its type.
+    pub fn edge(&self) -> Option<Edge> {
+        self.0.edge
     }
 
     /// The names of its variables, and where they stand.

@@ -35,6 +35,7 @@ impl Front<'_, '_> {
             let made = self.c.builder.unit(&name, kind, at);
             self.numbers.push(made.number());
             self.stages.push(Stage::Not(made));
+            self.edge_inputs.push(Vec::new());
         }
         for (index, unit) in self.units.iter().enumerate() {
             for var in unit.vars.iter().filter(|var| var.section == Part::Global) {
@@ -219,11 +220,30 @@ impl Front<'_, '_> {
         for var in unit.vars.iter().filter(own) {
             self.variable(var, index);
         }
+        self.edge_inputs(index);
         if unit.kind != Kind::Function {
             self.edges(index);
         }
         self.stages[index] = Stage::Done(self.c.builder.close(made));
         self.c.builder.back(before);
+    }
+
+    /// What sees the edges of the inputs that are declared as such; elsewhere there is none, which is told.
+    fn edge_inputs(&mut self, index: usize) {
+        let unit = &self.units[index];
+        for var in &unit.vars {
+            let Some(edge) = var.edge else { continue };
+            let is_input = var.section == Part::Input && unit.kind != Kind::Function;
+            if !is_input || var.ty.text != "BOOL" {
+                self.c.builder.told_no_edge(edge);
+                continue;
+            }
+            let made = self
+                .c
+                .builder
+                .edge_input(&var.name.text, edge, var.name.span);
+            self.edge_inputs[index].extend(made);
+        }
     }
 
     /// What `names` makes of a variable.

@@ -7,7 +7,7 @@ use std::collections::{HashMap, HashSet};
 use unoclp_st::Checker;
 use unoclp_st::pieces::Pieces;
 use unoclp_text::diagnostics::{Code, Span, Word};
-use unoclp_tree::build::{Closed, Declaring};
+use unoclp_tree::build::{Closed, Declaring, EdgeInput};
 
 /// Blocks stand in one another no deeper.
 pub(super) const MOST_WITHIN: usize = 16;
@@ -33,6 +33,8 @@ pub(super) struct Front<'a, 'f> {
     pub numbers: Vec<u32>,
     pub instances: Vec<usize>,
     pub stages: Vec<Stage>,
+    /// Of each unit: its inputs that are edges.
+    pub edge_inputs: Vec<Vec<EdgeInput>>,
     /// Timers and counters that a declaration names by an address: their names there.
     pub aliases: HashMap<String, String>,
     /// Functions of the text, by their names.

@@ -28,6 +28,9 @@ impl<'a> Front<'a, '_> {
         let body = &self.units[unit].body;
         let writes = self.writes;
         let before = self.c.builder.enter(&made);
+        let edges = std::mem::take(&mut self.edge_inputs[unit]).into_iter();
+        let edges = edges.flat_map(|edge| self.c.builder.see_edge(edge));
+        let edges: Vec<_> = edges.collect();
         let mut walk = Walk {
             unit,
             instance: self.instances[unit],
@@ -37,6 +40,7 @@ impl<'a> Front<'a, '_> {
             hint: None,
             front: self,
         };
+        edges.into_iter().for_each(|one| walk.push(one));
         walk.lines();
         let statements = walk.finish();
         self.c.builder.back(before);

@@ -103,6 +103,7 @@ fn tree(
         numbers: Vec::new(),
         instances: Vec::new(),
         stages: Vec::new(),
+        edge_inputs: Vec::new(),
         aliases: HashMap::new(),
         functions: HashMap::new(),
         coils: HashMap::new(),

@@ -8,6 +8,7 @@ use crate::operators;
 use unoclp_st::pieces::Declared;
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::Base;
+use unoclp_tree::build::Edge;
 
 /// What a section says of its variables.
 struct Of {
@@ -175,6 +176,11 @@ impl Parser<'_, '_> {
             return self.unexpected_declaration();
         };
         let ty = self.word(ty);
+        let span = self.peek().span;
+        let edge = Edge::named(self.text_of(span), span);
+        if edge.is_some() {
+            self.at += 1;
+        }
         if self.peek().kind == Kind::Equals {
             self.equals_for_assign();
             self.at += 1;
@@ -192,6 +198,7 @@ impl Parser<'_, '_> {
                 name,
                 at: at.clone(),
                 ty: Word { ..ty.clone() },
+                edge,
                 init: init.clone(),
                 typed: None,
             });
@@ -244,6 +251,7 @@ impl Parser<'_, '_> {
             span,
         });
         let names: Vec<Word> = names.collect();
+        let edge = declared.edge();
         let number = self.pieces.declare(declared);
         for name in names {
             unit.vars.push(Var {
@@ -253,6 +261,7 @@ impl Parser<'_, '_> {
                 name,
                 at: None,
                 ty: ty.clone(),
+                edge,
                 init: Vec::new(),
                 typed: Some(number),
             });

@@ -1,6 +1,6 @@
 //! Units: their variables, in the order in which they need one another.
 
-use super::super::ast::{self, Decl, Edge, Name, SpecKind, TypeSpec, Vars};
+use super::super::ast::{self, Decl, Name, SpecKind, TypeSpec, Vars};
 use super::{Checker, Stage};
 use unoclp_text::diagnostics::Code;
 use unoclp_tree::build::{Section, Traits, both};
@@ -117,21 +117,15 @@ impl Checker<'_, '_, '_> {
         for vars in sections {
             let is_input = vars.section == ast::Section::Input && unit.kind != UnitKind::Function;
             for decl in &vars.decls {
-                let Some(Edge { is_rising, span }) = decl.edge else {
+                let Some(edge) = decl.edge else {
                     continue;
                 };
                 if !is_input || !is_bool(&decl.spec) {
-                    let help = (
-                        "declare an R_TRIG or F_TRIG, call it with the variable, and read its Q",
-                        "declare um R_TRIG ou F_TRIG, chame-o com a variável e leia o seu Q",
-                    );
-                    let written = self.builder.written(span);
-                    let words = [written.into(), help.into()];
-                    self.builder.tell(Code::StUnsupported, span, words);
+                    self.builder.told_no_edge(edge);
                     continue;
                 }
                 for name in &decl.names {
-                    let edge = self.builder.edge_input(&name.text, is_rising, name.span);
+                    let edge = self.builder.edge_input(&name.text, edge, name.span);
                     self.edges.entry(at).or_default().extend(edge);
                 }
             }

@@ -1,11 +1,12 @@
 //! Declarations: sections of variables.
 
-use super::super::ast::{Decl, Edge, Name, Section, Vars};
+use super::super::ast::{Decl, Name, Section, Vars};
 use super::super::token::Kind;
 use super::super::words::Keyword;
 use super::{Parsed, Parser, Told};
 use unoclp_text::diagnostics::{Code, Span};
 use unoclp_tree::Base;
+use unoclp_tree::build::Edge;
 
 pub(super) const NAME: (&str, &str) = ("a name", "um nome");
 const DECLARATION: (&str, &str) = (
@@ -280,12 +281,8 @@ impl Parser<'_, '_> {
     /// `R_EDGE` or `F_EDGE`, behind a type.
     fn edge(&mut self) -> Option<Edge> {
         let span = self.token().span;
-        let is_rising = match &*self.slice(span).to_uppercase() {
-            "R_EDGE" => true,
-            "F_EDGE" => false,
-            _ => return None,
-        };
+        let edge = Edge::named(self.slice(span), span)?;
         self.next();
-        Some(Edge { is_rising, span })
+        Some(edge)
     }
 }

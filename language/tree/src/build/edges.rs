@@ -6,7 +6,24 @@ use super::named::{Named, Section, Traits, Variable};
 use super::places::Target;
 use crate::standard::Standard;
 use crate::{Kind, Stmt, TypeId};
-use unoclp_text::diagnostics::Span;
+use unoclp_text::diagnostics::{Code, Span};
+
+/// `R_EDGE` or `F_EDGE`, after the type of an input.
+#[derive(Clone, Copy, Debug)]
+pub struct Edge {
+    /// Whether it is `R_EDGE`.
+    pub is_rising: bool,
+    /// Where it stands.
+    pub span: Span,
+}
+
+impl Edge {
+    /// The one that this word means.
+    pub fn named(word: &str, span: Span) -> Option<Edge> {
+        let is_rising = word.eq_ignore_ascii_case("R_EDGE");
+        (is_rising || word.eq_ignore_ascii_case("F_EDGE")).then_some(Edge { is_rising, span })
+    }
+}
 
 /// An input, and the instance that sees its edges.
 pub struct EdgeInput {
@@ -15,9 +32,20 @@ pub struct EdgeInput {
 }
 
 impl Builder<'_, '_> {
+    /// Tells that no edge can stand here: it belongs to a BOOL among the inputs of a block or program.
+    pub fn told_no_edge(&mut self, edge: Edge) {
+        let help = (
+            "declare an R_TRIG or F_TRIG, call it with the variable, and read its Q",
+            "declare um R_TRIG ou F_TRIG, chame-o com a variável e leia o seu Q",
+        );
+        let written = self.written(edge.span);
+        let words = [written.into(), help.into()];
+        self.tell(Code::StUnsupported, edge.span, words);
+    }
+
     /// Declares what sees the edges of this input of the unit that the builder is in; none of what is no input.
-    pub fn edge_input(&mut self, name: &str, is_rising: bool, at: Span) -> Option<EdgeInput> {
-        let block = match is_rising {
+    pub fn edge_input(&mut self, name: &str, edge: Edge, at: Span) -> Option<EdgeInput> {
+        let block = match edge.is_rising {
             true => Standard::RTrig,
             false => Standard::FTrig,
         };

@@ -69,7 +69,7 @@ mod words;
 
 pub use arguments::{Argument, Given};
 pub use builder::{Builder, MOST_CELLS};
-pub use edges::EdgeInput;
+pub use edges::{Edge, EdgeInput};
 pub use functions::{functions, is_function, usual};
 pub use named::{Letters, Named, Section, Traits};
 pub use places::Target;
