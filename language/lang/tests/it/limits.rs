@@ -150,25 +150,24 @@ fn parentheses_too_deep_are_one_error() {
 /// Blocks, each of which holds an instance of the one before it.
 #[test]
 fn blocks_that_hold_blocks_are_told_where_they_are_too_many() {
-    let text = |count: usize| {
+    // A block that is lent one of another does not hold it.
+    let told = |count: usize, section: &str| {
         let blocks = (0..count).map(|at| match at.checked_sub(1) {
-            None => {
-                "FUNCTION_BLOCK B0 VAR q : BOOL; END_VAR q := TRUE; END_FUNCTION_BLOCK\n".into()
-            }
-            Some(of) => {
-                format!("FUNCTION_BLOCK B{at} VAR b : B{of}; END_VAR b(); END_FUNCTION_BLOCK\n")
-            }
+            None => "FUNCTION_BLOCK B0 VAR q : BOOL; END_VAR q := TRUE; END_FUNCTION_BLOCK\n".into(),
+            Some(of) => format!(
+                "FUNCTION_BLOCK B{at} {section} b : B{of}; END_VAR VAR q : BOOL; END_VAR q := TRUE; END_FUNCTION_BLOCK\n"
+            ),
         });
         let blocks: String = blocks.collect();
         let last = count - 1;
-        format!("{blocks}PROGRAM main VAR all : B{last}; END_VAR all(); END_PROGRAM\n")
-    };
-    let told = |count: usize| {
-        let text = text(count);
+        let text = format!(
+            "{blocks}PROGRAM main VAR all : B{last}; q : BOOL; END_VAR q := TRUE; END_PROGRAM\n"
+        );
         let came = compile_text(&text, TextLanguage::St, unoclp_core::Board::PC);
         let codes: Vec<Code> = came.diagnostics.iter().map(|d| d.code).collect();
         codes
     };
-    assert_eq!(told(40), []);
-    assert_eq!(told(41), [Code::StTooDeep]);
+    assert_eq!(told(40, "VAR"), []);
+    assert_eq!(told(41, "VAR"), [Code::StTooDeep]);
+    assert_eq!(told(60, "VAR_IN_OUT"), []);
 }
