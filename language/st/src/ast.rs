@@ -197,8 +197,27 @@ pub(super) struct File {
     pub types: Vec<TypeDecl>,
     pub globals: Vec<Vars>,
     pub units: Vec<UnitDecl>,
+    /// The programs that a configuration names, in capitals, in its order.
+    pub order: Vec<String>,
     /// Functions and blocks that contain code for another machine; nothing else of them is read.
     pub foreign: Vec<Name>,
     /// Where it names points.
     pub points: Vec<std::ops::Range<usize>>,
+}
+
+impl File {
+    /// Puts the programs in the order in which they run: first those that a configuration names, in its order (2.7.1).
+    pub(super) fn put_in_order(&mut self) {
+        let place = |unit: &UnitDecl| {
+            let name = unit.name.text.to_uppercase();
+            let mut order = self.order.iter();
+            order.position(|one| *one == name).unwrap_or(usize::MAX)
+        };
+        let is_program = |unit: &UnitDecl| unit.kind == UnitKind::Program;
+        let units = std::mem::take(&mut self.units);
+        let (mut programs, others): (Vec<_>, Vec<_>) = units.into_iter().partition(is_program);
+        programs.sort_by_key(place);
+        self.units = others;
+        self.units.extend(programs);
+    }
 }

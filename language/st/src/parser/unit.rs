@@ -10,6 +10,14 @@ use unoclp_tree::UnitKind;
 
 impl Parser<'_, '_> {
     pub(super) fn file(&mut self) -> File {
+        let mut file = self.units();
+        if !file.order.is_empty() {
+            file.put_in_order();
+        }
+        file
+    }
+
+    fn units(&mut self) -> File {
         let mut file = File {
             points: self.points(),
             ..File::default()
@@ -351,7 +359,7 @@ impl Parser<'_, '_> {
         is
     }
 
-    /// Its globals are read, and nothing else of it.
+    /// Its globals are read, and the order of its programs.
     fn configuration(&mut self, file: &mut File) {
         let start = self.next().span;
         let written = "CONFIGURATION";
@@ -360,14 +368,30 @@ impl Parser<'_, '_> {
                 self.tell(Code::StPassedOver, start, [written.into()]);
                 return;
             }
-            if self.keyword() == Keyword::VarGlobal {
-                let vars = self.section();
-                file.globals.push(vars);
-            } else {
-                self.next();
+            match self.keyword() {
+                Keyword::VarGlobal => {
+                    let vars = self.section();
+                    file.globals.push(vars);
+                }
+                Keyword::Program => file.order.extend(self.instance_of_program()),
+                _ => drop(self.next()),
             }
         }
         self.not_closed_word(start);
+    }
+
+    /// `PROGRAM first WITH task : Pumps`: its type, `PUMPS`.
+    fn instance_of_program(&mut self) -> Option<String> {
+        self.next();
+        let ends = [Kind::Semicolon, Kind::Open, Kind::End];
+        while !self.is(Kind::Colon) && !ends.iter().any(|end| self.is(*end)) {
+            self.next();
+        }
+        if !self.accept(Kind::Colon) || !self.is(Kind::Word) {
+            return None;
+        }
+        let span = self.next().span;
+        Some(self.slice(span).to_uppercase())
     }
 
     fn not_closed_word(&mut self, start: Span) {

@@ -79,10 +79,10 @@ macro_rules! st_rows {
         "em uma declaração, o nome vem primeiro e depois o tipo"
         "escreva {1} : {0};";
     116 StPassedOver Warning
-        "{0} is ignored: each PROGRAM runs once in every scan"
-        "the board has no tasks; write the programs in the order in which they should run"
-        "{0} é ignorado: cada PROGRAM é executado uma vez por varredura"
-        "a placa não tem tarefas; escreva os programas na ordem em que devem ser executados";
+        "the tasks of this {0} are ignored: each PROGRAM runs once in every scan"
+        "the board has no tasks; list the programs here in the order in which they should run"
+        "as tarefas desta {0} são ignoradas: cada PROGRAM é executado uma vez por varredura"
+        "a placa não tem tarefas; liste aqui os programas na ordem em que devem ser executados";
     117 StUnsupported Error
         "{0} cannot be used here"
         "{1}"
