@@ -4,7 +4,7 @@
 //! time in proportion to the file.
 
 use crate::decode;
-use crate::first::first_words;
+use crate::first::{ST, first_words, is_list};
 use crate::written_in::WrittenIn;
 use std::path::Path;
 
@@ -29,10 +29,16 @@ impl WrittenIn {
         if file.contains(&0) && !wide {
             return Err(NoProgram::Binary);
         }
-        if let Some(language) = WrittenIn::of_name(path) {
+        let named = WrittenIn::of_name(path);
+        if let Some(language) = named.filter(|language| *language != ST) {
             return Ok(language);
         }
         let text = decode(file);
+        if named.is_some() {
+            // Some editors give the texts of all languages the same name.
+            let language = if is_list(&text) { WrittenIn::Il } else { ST };
+            return Ok(language);
+        }
         if text.trim().is_empty() {
             return Err(NoProgram::Empty);
         }
@@ -93,6 +99,22 @@ mod tests {
             assert_eq!(name(path, b"0\n827301\n"), Ok(language), "{path}");
         }
         assert_eq!(name("a.numeric", b"LD I1\n"), Ok("il"));
+    }
+
+    #[test]
+    fn a_list_may_have_the_name_of_structured_text() {
+        let list = b"PROGRAM p\nVAR a, b : BOOL; END_VAR\n(* x := 1; *)\n  LD a (* x *)\n  ST b\nEND_PROGRAM\n";
+        assert_eq!(name("plc.st", list), Ok("il"));
+        assert_eq!(name("plc.scl", list), Ok("scl"));
+        for text in [
+            "",
+            "R",
+            "PROGRAM p\nVAR s : BOOL; END_VAR\nS\nEND_PROGRAM\n",
+            "VAR a : BOOL; END_VAR\nLD a;\nST a;\n",
+            "VAR a, b : BOOL; END_VAR\na := b;\nLD b\nST a\n",
+        ] {
+            assert_eq!(name("plc.st", text.as_bytes()), Ok("st"), "{text}");
+        }
     }
 
     #[test]

@@ -14,7 +14,7 @@ use instructions::{is_instruction, is_instructions};
 use unoclp_lang::TextLanguage;
 use words::{Words, without_comments};
 
-const ST: WrittenIn = WrittenIn::Typed(TextLanguage::St);
+pub(crate) const ST: WrittenIn = WrittenIn::Typed(TextLanguage::St);
 const SCL: WrittenIn = WrittenIn::Typed(TextLanguage::Scl);
 const ISCL: WrittenIn = WrittenIn::Typed(TextLanguage::Iscl);
 const LCE: WrittenIn = WrittenIn::Typed(TextLanguage::Lce);
@@ -40,6 +40,17 @@ pub(crate) fn first_words(text: &str) -> Option<WrittenIn> {
             Sign::None(Begins::Anyhow) => None,
         })
         .or_else(|| is_instructions(&code).then_some(WrittenIn::Il))
+}
+
+/// Lines of a text that are looked at where its name tells its language in most cases.
+const MOST_LINES: usize = 1_000;
+
+/// Whether this is Instruction List without doubt: what comes first in it is an instruction, and so is another line.
+pub(crate) fn is_list(text: &str) -> bool {
+    let ends = text.match_indices('\n').nth(MOST_LINES);
+    let text = ends.map_or(text, |(at, _)| &text[..at]);
+    let instructions = text.lines().filter(|line| is_instruction(line));
+    first_words(text) == Some(WrittenIn::Il) && instructions.take(2).count() == 2
 }
 
 /// InterSCL and LCE by how they begin.
