@@ -50,7 +50,7 @@ pub(crate) fn is_list(text: &str) -> bool {
     let ends = text.match_indices('\n').nth(MOST_LINES);
     let text = ends.map_or(text, |(at, _)| &text[..at]);
     let instructions = text.lines().filter(|line| is_instruction(line));
-    first_words(text) == Some(WrittenIn::Il) && instructions.take(2).count() == 2
+    instructions.take(2).count() == 2 && first_words(text) == Some(WrittenIn::Il)
 }
 
 /// InterSCL and LCE by how they begin.
