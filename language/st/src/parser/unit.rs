@@ -383,8 +383,7 @@ impl Parser<'_, '_> {
     /// `PROGRAM first WITH task : Pumps`: its type, `PUMPS`.
     fn instance_of_program(&mut self) -> Option<String> {
         self.next();
-        let ends = [Kind::Semicolon, Kind::Open, Kind::End];
-        while !self.is(Kind::Colon) && !ends.iter().any(|end| self.is(*end)) {
+        while self.is(Kind::Word) && self.keyword() == Keyword::None {
             self.next();
         }
         if !self.accept(Kind::Colon) || !self.is(Kind::Word) {
