@@ -222,7 +222,9 @@ impl Builder<'_, '_> {
             .zip(self.tree.types.base(to.ty));
         let bases = bases.filter(|&(from, into)| {
             let goes = self.goes_into(from, into) || self.bits_counted(from, into).is_some();
-            goes && !self.is_enum(to.ty)
+            // What a block gives is stored as any value is, and an enumeration is no number there.
+            let is_number = instance.is_none() || !self.is_enum(param.ty);
+            goes && is_number && !self.is_enum(to.ty)
         });
         if bases.is_none() && !self.tree.types.same(param.ty, to.ty) {
             self.told_other_type(&to, param.ty);
