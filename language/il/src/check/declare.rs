@@ -4,7 +4,7 @@ use super::edges::declare_edge;
 use super::first;
 use super::front::{Front, MOST_WITHIN, Stage};
 use super::used::parts;
-use crate::ast::{Operand, Section as Part, Stmt, Unit, UnitKind as Kind, Var};
+use crate::ast::{Operand, Section as Part, Stmt, Unit, UnitKind as Kind, Var, Word};
 use crate::names::declare::{is_new, plain_block};
 use crate::names::{Instance, Place};
 use crate::operators::Op;
@@ -228,20 +228,12 @@ impl Front<'_, '_> {
         self.c.builder.back(before);
     }
 
-    /// What sees the edges of the inputs that are declared as such; elsewhere there is none, which is told.
+    /// What sees the edges of the inputs that are declared as such.
     fn edge_inputs(&mut self, index: usize) {
-        let unit = &self.units[index];
-        for var in &unit.vars {
+        for var in &self.units[index].vars {
             let Some(edge) = var.edge else { continue };
-            let is_input = var.section == Part::Input && unit.kind != Kind::Function;
-            if !is_input || var.ty.text != "BOOL" {
-                self.c.builder.told_no_edge(edge);
-                continue;
-            }
-            let made = self
-                .c
-                .builder
-                .edge_input(&var.name.text, edge, var.name.span);
+            let Word { text, span } = &var.name;
+            let made = self.c.builder.edge_input(text, edge, *span);
             self.edge_inputs[index].extend(made);
         }
     }

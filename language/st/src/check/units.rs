@@ -1,6 +1,6 @@
 //! Units: their variables, in the order in which they need one another.
 
-use super::super::ast::{self, Decl, Name, SpecKind, TypeSpec, Vars};
+use super::super::ast::{self, Decl, Name, SpecKind, Vars};
 use super::{Checker, Stage};
 use unoclp_text::diagnostics::Code;
 use unoclp_tree::build::{Section, Traits, both};
@@ -110,24 +110,14 @@ impl Checker<'_, '_, '_> {
         self.within -= 1;
     }
 
-    /// What sees the edges of the inputs that are declared as such; elsewhere there is none, which is told.
+    /// What sees the edges of the inputs that are declared as such.
     fn declare_edges(&mut self, at: usize) {
-        let unit = &self.file.units[at];
-        let sections = unit.vars.iter().chain(&self.file.globals);
-        for vars in sections {
-            let is_input = vars.section == ast::Section::Input && unit.kind != UnitKind::Function;
-            for decl in &vars.decls {
-                let Some(edge) = decl.edge else {
-                    continue;
-                };
-                if !is_input || !is_bool(&decl.spec) {
-                    self.builder.told_no_edge(edge);
-                    continue;
-                }
-                for name in &decl.names {
-                    let edge = self.builder.edge_input(&name.text, edge, name.span);
-                    self.edges.entry(at).or_default().extend(edge);
-                }
+        let vars = self.file.units[at].vars.iter().chain(&self.file.globals);
+        for decl in vars.flat_map(|vars| &vars.decls) {
+            let Some(edge) = decl.edge else { continue };
+            for name in &decl.names {
+                let edge = self.builder.edge_input(&name.text, edge, name.span);
+                self.edges.entry(at).or_default().extend(edge);
             }
         }
     }
@@ -248,8 +238,4 @@ impl Checker<'_, '_, '_> {
             self.builder.body(unit, body);
         }
     }
-}
-
-fn is_bool(spec: &TypeSpec) -> bool {
-    matches!(&spec.kind, SpecKind::Named(name) if name.text.eq_ignore_ascii_case("BOOL"))
 }

@@ -5,7 +5,7 @@ use super::builder::Builder;
 use super::named::{Named, Section, Traits, Variable};
 use super::places::Target;
 use crate::standard::Standard;
-use crate::{Kind, Stmt, TypeId};
+use crate::{Kind, Stmt, TypeId, UnitKind};
 use unoclp_text::diagnostics::{Code, Span};
 
 /// `R_EDGE` or `F_EDGE`, after the type of an input.
@@ -32,8 +32,7 @@ pub struct EdgeInput {
 }
 
 impl Builder<'_, '_> {
-    /// Tells that no edge can stand here: it belongs to a BOOL among the inputs of a block or program.
-    pub fn told_no_edge(&mut self, edge: Edge) {
+    fn told_no_edge(&mut self, edge: Edge) {
         let help = (
             "declare an R_TRIG or F_TRIG, call it with the variable, and read its Q",
             "declare um R_TRIG ou F_TRIG, chame-o com a variável e leia o seu Q",
@@ -43,7 +42,8 @@ impl Builder<'_, '_> {
         self.tell(Code::StUnsupported, edge.span, words);
     }
 
-    /// Declares what sees the edges of this input of the unit that the builder is in; none of what is no input.
+    /// Declares what sees the edges of this input of the unit that the builder is in. An edge belongs to a BOOL among the inputs
+    /// of a block or program; elsewhere there is none, which is told.
     pub fn edge_input(&mut self, name: &str, edge: Edge, at: Span) -> Option<EdgeInput> {
         let block = match edge.is_rising {
             true => Standard::RTrig,
@@ -52,6 +52,11 @@ impl Builder<'_, '_> {
         let Some(Named::Variable(input)) = self.find(name).cloned() else {
             return None;
         };
+        let is_input = input.section == Section::Input && input.ty == TypeId::BOOL;
+        if !is_input || self.kind_here() == Some(UnitKind::Function) {
+            self.told_no_edge(edge);
+            return None;
+        }
         let ty = self
             .tree
             .types
