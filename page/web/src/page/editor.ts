@@ -19,6 +19,7 @@ import type { Checked, Live } from "../tools/answers";
 import { say, speak, told } from "../words/words";
 import type { Around } from "./assist";
 import { colours, paint } from "./colours";
+import { scrollsAlone } from "./reveal";
 
 type Lines = Live["lines"];
 const setLines = StateEffect.define<Lines>();
@@ -99,6 +100,7 @@ export class Editor {
           drawSelection(),
           highlightActiveLine(),
           highlightActiveLineGutter(),
+          scrollsAlone,
           this.comforts.of([]),
           colours,
           keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),

@@ -4,6 +4,7 @@
 import type { Key } from "../words/table";
 import { byId, h } from "./dom";
 import { keep, kept } from "./kept";
+import { turnTo } from "./reveal";
 
 interface Border {
   readonly id: string;
@@ -74,7 +75,7 @@ function splitter(main: HTMLElement, { id, say, size, usual, least, most, isUpri
 /** The buttons that lead to the pages of a phone. */
 function pages(main: HTMLElement): void {
   const buttons = PAGES.map(([id, say, area]) => h("button", { type: "button", id, "data-say": say, "aria-pressed": "false",
-    click: () => byId(area).scrollIntoView({ inline: "start", block: "nearest" }) }));
+    click: () => turnTo(byId(area)) }));
   byId("pages").append(...buttons);
   const mark = (): void => {
     const at = Math.round(main.scrollLeft / Math.max(main.clientWidth, 1));

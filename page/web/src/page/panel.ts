@@ -12,6 +12,7 @@ import { Lamps } from "./lamps";
 import { announce } from "./notes";
 import { layOut } from "./layout";
 import { inputsOf, outputsOf, upTo } from "./points";
+import { reveal } from "./reveal";
 
 const SPEEDS = [1, 0.1, 0.01];
 /** Cards that are seen on request. */
@@ -88,7 +89,7 @@ export class Panel {
     const { cards } = this;
     cards[card].hidden = !cards[card].hidden;
     keep(SHOWN, CARDS.filter((one) => !cards[one].hidden).join(" "));
-    if (!cards[card].hidden) cards[card].scrollIntoView({ block: "nearest" });
+    if (!cards[card].hidden) reveal(cards[card]);
   }
 
   /** Has a button and a lamp for each point of a small board; of another one for those that the program has, or for all. */

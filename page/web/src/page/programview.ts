@@ -20,6 +20,7 @@ import { note } from "./notes";
 import { pointsOf } from "./points";
 import { countOf, showProblems } from "./problems";
 import type { Beside } from "./project/beside";
+import { turnTo } from "./reveal";
 
 const VIEWS = ["draw", "both", "text"] as const;
 const TITLES = { draw: "viewDraw", both: "viewBoth", text: "viewText" } as const;
@@ -58,7 +59,7 @@ export class ProgramView {
     forBoard: ForBoard,
   ) {
     this.ladder = new LadderView(byId("ladder"), {
-      line: (line) => this.editor.go(line),
+      line: (line) => this.goText(line),
       point: (point) => force(this.bench, point),
       room: () => this.ladderNow(),
     });
@@ -108,7 +109,15 @@ export class ProgramView {
   /** Shows the screen on which one draws; with the palette where somebody wants to draw at once. */
   goDraw(begins = false): void {
     byId("view-draw").click();
+    turnTo(byId("program"));
     if (begins) void this.drawing().then((screen) => screen?.begin());
+  }
+
+  /** Goes to a line of the text, counted from 1; shows the text where the drawing alone is seen. */
+  private goText(line: number, column = 1): void {
+    if (byId("views").dataset["view"] === "draw") byId("view-text").click();
+    turnTo(byId("program"));
+    this.editor.go(line, column);
   }
 
   /** Shows a text that was drawn in the editor too. */
@@ -150,7 +159,7 @@ export class ProgramView {
     this.editor.tell(text.text, checked);
     const lacks = this.program.lacks.value;
     showProblems(this.problems, checked, lacks, {
-      text: (line, column) => this.editor.go(line, column),
+      text: (line, column) => this.goText(line, column),
       drawing: () => this.goDraw(),
       adapt: () => void this.adapt(),
     });

@@ -8,6 +8,7 @@ import { say as sayCommon, speak, told } from "../words/words";
 import { h } from "./dom";
 import { icon } from "./icons";
 import { note } from "./notes";
+import { reveal } from "./reveal";
 import { Scene } from "./scene";
 import { seconds } from "./seconds";
 
@@ -67,7 +68,7 @@ export class Replay {
     if (plays && !still) this.play();
     else this.seek(this.broken);
     // Nobody has to look for it.
-    if (plays) this.element.scrollIntoView({ block: "nearest" });
+    if (plays) reveal(this.element);
   }
 
   /** The picture at which it went wrong. */

@@ -8,6 +8,7 @@ import { say } from "../words/later";
 import { speak, told, translate } from "../words/words";
 import type { Bench } from "./bench";
 import { h } from "./dom";
+import { reveal } from "./reveal";
 import { type Way, same } from "./ways";
 
 const PARITIES = ["parityNone", "parityEven", "parityOdd"] as const;
@@ -121,7 +122,7 @@ export class SettingsTab {
   private tell(text: string, isBad: boolean): void {
     this.said.textContent = text;
     this.said.classList.toggle("bad", isBad);
-    this.said.scrollIntoView({ block: "nearest" });
+    reveal(this.said);
   }
 }
 

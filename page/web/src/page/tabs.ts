@@ -3,6 +3,7 @@
 import { type PlainKey, say, speak } from "../words/words";
 import { h } from "./dom";
 import { keep, kept } from "./kept";
+import { turnTo } from "./reveal";
 
 export interface Tab {
   readonly id: string;
@@ -77,6 +78,6 @@ export class Tabs {
   open(id: string): void {
     this.show(this.tabs.findIndex((tab) => tab.id === id));
     // On a phone it is a page of its own.
-    if (matchMedia("(max-width: 760px)").matches) this.root.scrollIntoView({ inline: "start", block: "nearest" });
+    if (matchMedia("(max-width: 760px)").matches) turnTo(this.root);
   }
 }

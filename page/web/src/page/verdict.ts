@@ -11,6 +11,7 @@ import { h } from "./dom";
 import { announce, note } from "./notes";
 import { whyNot } from "./problems";
 import { Replay } from "./replay";
+import { reveal } from "./reveal";
 
 export class Verdict {
   /** The cases, the diagram of the first that fails, the machine. */
@@ -47,7 +48,7 @@ export class Verdict {
     this.spoken = speak.value;
     this.show();
     announce(this.text());
-    this.element.scrollIntoView({ block: "nearest" });
+    reveal(this.element);
     return this.passed();
   }
 

@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { Lab, findings, has, pick, run, state, type } from "./harness.mjs";
+import { Lab, findings, has, pick, run, state, turned, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -132,7 +132,7 @@ test("on a phone the machine stands first on its page, and works by finger", asy
   await open(page, "motor");
   await run(page);
   await page.tap("#page-machine");
-  await page.waitForFunction(() => Math.abs(document.querySelector("#board")?.getBoundingClientRect().left ?? 99) < 2);
+  await turned(page, "#board");
   const [machine = NaN, pace = NaN] = await page.evaluate(() => ["#machine", "#pace"].map((one) => document.querySelector(one)?.getBoundingClientRect().top ?? NaN));
   assert.ok(machine < pace && machine < 200, `${machine}, ${pace}`);
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));

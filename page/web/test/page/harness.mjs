@@ -208,6 +208,9 @@ export async function tab(page, name, hand) {
   else await page.click(`#tab-${name}`);
 }
 
+/** A phone is at the page of this area. @param {import("playwright-core").Page} page @param {string} area */
+export const turned = (page, area) => page.waitForFunction((area) => Math.abs(document.querySelector(area)?.getBoundingClientRect().left ?? 99) < 2, area);
+
 /** Replaces the program in the editor, as somebody does who types.
  * @param {import("playwright-core").Page} page @param {string} text */
 export async function type(page, text, name = "") {

@@ -6,7 +6,7 @@ import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { HANDS, holding } from "./hands.mjs";
-import { Lab, clean, lamp, pick, pictures, state, tab, type } from "./harness.mjs";
+import { Lab, clean, lamp, pick, pictures, select, state, tab, turned, type } from "./harness.mjs";
 import { CONTROLS, SIZES, inView, newcomer, stands } from "./newcomer.mjs";
 
 /** @type {Lab} */
@@ -155,16 +155,41 @@ test("what is told lies over no control, and the status keeps its height", async
 
 test("on a phone program, machine and drawer are three pages, with buttons and lamps under the program", async () => {
   const page = await lab.other({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }, { view: "draw", palette: "folded", drawer: "" });
-  const at = async (/** @type {string} */ area) => page.waitForFunction((area) => Math.abs(document.querySelector(area)?.getBoundingClientRect().left ?? 99) < 2, area);
   await page.locator("#dock [data-input='1']").waitFor();
   await page.locator("#dock [data-output='1']").waitFor();
-  await at("#program");
+  await turned(page, "#program");
   await page.tap("#page-machine");
-  await at("#board");
+  await turned(page, "#board");
   await page.tap("#page-drawer");
-  await at("#below");
+  await turned(page, "#below");
   await page.tap("#tab-watch");
   await page.tap("#page-program");
-  await at("#program");
+  await turned(page, "#program");
+  // What is drawn anew turns no page.
+  await page.tap("#page-machine");
+  await turned(page, "#board");
+  await page.locator("#sheet .selected").first().waitFor({ state: "attached" });
+  await select(page, "#speak", "pt");
+  await page.locator("#run", { hasText: "Executar" }).waitFor();
+  await page.locator("#rung-add", { hasText: "Degrau" }).waitFor({ state: "attached" });
+  await turned(page, "#board");
+  await page.context().close();
+});
+
+test("on a phone a problem leads to its line, from the drawing too", async () => {
+  const page = await lab.other({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }, { view: "text" });
+  await type(page, "LD I1\nSTT Q1\n");
+  await page.locator("#problem-count.bad").waitFor({ state: "attached" });
+  for (const view of ["text", "draw"]) {
+    await page.tap("#page-program");
+    await turned(page, "#program");
+    await page.tap(`#view-${view}`);
+    await page.tap("#page-drawer");
+    await turned(page, "#below");
+    await tab(page, "problems");
+    await page.tap(".problems button");
+    await turned(page, "#program");
+    await page.locator(".cm-content:focus").waitFor();
+  }
   await page.context().close();
 });

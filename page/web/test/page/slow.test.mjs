@@ -25,9 +25,10 @@ const stands = (page, says) => page.locator("#slow-state", { hasText: says }).wa
 /** Closes the contact of input 1, or opens it. @param {import("playwright-core").Page} page */
 const latch = (page) => page.locator('[data-input="1"]').click({ modifiers: ["Shift"] });
 
-/** A page whose board runs a program, in slow motion. @param {string} text @param {string} name */
-async function slow(text = PROGRAM, name = "slow.il", first = 1) {
-  const page = await lab.open();
+/** A page whose board runs a program, in slow motion. @param {string} text @param {string} name
+ * @param {import("playwright-core").BrowserContextOptions} options */
+async function slow(text = PROGRAM, name = "slow.il", first = 1, options = {}) {
+  const page = await lab.open(options);
   await type(page, text, name);
   await run(page);
   await page.locator("#ladder svg.live").waitFor();
@@ -89,6 +90,24 @@ test("power has come as far as the engine, between contacts that it runs at once
   assert.equal(await lit(), "I1,I2,Q1");
   await page.context().close();
 });
+
+for (const view of /** @type {const} */ (["draw", "text"])) {
+  test(`on a phone no stop turns the page, ${view}`, async () => {
+    const page = await slow(PROGRAM, "slow.il", 1, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+    await page.tap(`#view-${view}`);
+    await page.tap("#page-machine");
+    const left = () => page.locator("#board").evaluate((board) => Math.round(board.getBoundingClientRect().left));
+    for (const line of [2, 4]) {
+      // What comes late, after the page was turned.
+      await page.dispatchEvent(line === 2 ? "#slow-element" : "#slow-rung", "click");
+      await page.locator("#slow-state", { hasText: `Next: line ${line}` }).waitFor({ state: "attached" });
+      // It is marked at once, and comes into view with the next frame.
+      await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+      assert.equal(await left(), 0);
+    }
+    await page.context().close();
+  });
+}
 
 test("by the keyboard: by lines, a breakpoint on a line without code, to here, and on", async () => {
   const page = await slow();

@@ -14,6 +14,7 @@ import { keep, kept } from "../kept";
 import { entry, menu, openAt } from "../menu";
 import { announce, note } from "../notes";
 import { isLetter } from "../paper";
+import { attend } from "../reveal";
 import { ACTIONS, type Action, keyOf } from "./actions";
 import { carry } from "./carrying";
 import { ask } from "./form";
@@ -137,7 +138,7 @@ export class Screen {
     this.state.textContent = errors > 0 ? say("unfinished", { n: errors }) : drawn.text ? say("finished") : "";
     this.mistakes.replaceChildren(...drawn.mistakes.slice(0, 20).map(({ at, rung, error, message }) => {
       const text = rung > 0 ? `${say("inRung", { rung })}: ${told(message)}` : told(message);
-      const go = (): void => void (at !== null && this.session.act({ do: "select", from: at, to: at }).then(() => this.paper.focus()));
+      const go = (): void => void (at !== null && this.session.act({ do: "select", from: at, to: at }).then(() => attend(this.paper)));
       return h("li", {}, h("button", { type: "button", class: error ? "error" : "warning", click: go }, text));
     }));
     this.hear(drawn);
@@ -195,7 +196,7 @@ export class Screen {
   /** Somebody wants to draw. */
   begin(): void {
     this.fold(false);
-    this.paper.focus();
+    attend(this.paper);
   }
 
   private fold(folds: boolean): void {
@@ -222,7 +223,7 @@ export class Screen {
   /** Inserts something, and asks at once for what it lacks. */
   private async put(act: Act): Promise<void> {
     if (await this.session.act(act)) await this.edit();
-    else this.paper.focus();
+    else attend(this.paper);
   }
 
   private async edit(comment = false): Promise<void> {
@@ -232,7 +233,7 @@ export class Screen {
     if (asked.at.what === "rung" || (asked.at.what === "element" && asked.at.fields.length > 0)) {
       await ask(this.over, asked, this.sheet.box(drawn.cursor[0]), (act) => this.session.attempt(act));
     }
-    this.paper.focus();
+    attend(this.paper);
   }
 
   private async do({ act }: Action): Promise<void> {
@@ -244,16 +245,16 @@ export class Screen {
       case "find": return this.finder.open();
       case "paste":
         await this.session.act({ do: "paste", place: this.place });
-        return this.paper.focus();
+        return attend(this.paper);
       case "rung": {
         const rung = this.paper.querySelector<SVGElement>(`.rung[data-rung="${this.session.drawn.value?.at.rung}"]`);
         const id = Number(rung?.dataset["id"]);
         if (rung && (await this.session.act({ do: "select", from: id, to: id }))) await this.session.act({ do: "delete" });
-        return this.paper.focus();
+        return attend(this.paper);
       }
       default:
         await this.session.act(act);
-        this.paper.focus();
+        attend(this.paper);
     }
   }
 
@@ -292,13 +293,13 @@ export class Screen {
       const at = id(event);
       const from = event.shiftKey ? (this.session.drawn.value?.cursor[0] ?? at) : at;
       if (at) void this.session.act({ do: "select", from, to: at });
-      this.paper.focus({ preventScroll: true });
+      attend(this.paper);
     };
     const drop = async (at: number, place: Place): Promise<void> => {
       const selected = this.session.drawn.value?.selected ?? [];
       if (!selected.includes(held)) await this.session.act({ do: "select", from: held, to: held });
       await this.session.act({ do: "carry", at, place });
-      this.paper.focus();
+      attend(this.paper);
     };
     carry(this.paper, face, { click, drop: (at, place) => void drop(at, place) }, this.sheet);
     this.paper.addEventListener("dblclick", () => void this.session.settled().then(() => this.edit()));

@@ -4,6 +4,7 @@ import type { Drawn, Place } from "../../tools/answers";
 import { say } from "../../words/draw";
 import { LadderView } from "../ladder";
 import { dress } from "../dom";
+import { reveal } from "../reveal";
 import type { Carried } from "./carrying";
 
 /** How near a place has to be, in units of the drawing. */
@@ -50,7 +51,8 @@ export class Sheet implements Carried {
       one.classList.toggle("warned", wrong.get(id) === false);
     }
     // Headings have no area of their own in an empty rung: the rung is marked.
-    this.paper.querySelector(".selected")?.scrollIntoView({ block: "nearest", inline: "nearest" });
+    const seen = this.paper.querySelector(".selected");
+    if (seen) reveal(seen);
   }
 
   /** Keeps the places of the rungs that are as they were. */

@@ -8,6 +8,7 @@ import { h } from "../dom";
 import { liveOf } from "../forcing";
 import { pointsOf } from "../points";
 import { refill } from "../refill";
+import { attend, reveal } from "../reveal";
 import type { Around, ChartPane } from "../sfc/pane";
 import { type Drawn, Palette } from "./palette";
 import type { Altered } from "./pane";
@@ -109,7 +110,7 @@ export class Body {
     const { id, kind, written, negated, edge, storage } = element;
     if (FIXED.test(kind)) return [];
     const leave = ({ key }: KeyboardEvent): void => {
-      if (key === "Enter" || key === "Escape") this.paper.focus();
+      if (key === "Enter" || key === "Escape") attend(this.paper);
     };
     const field = h("input", { id: "unit-written", "data-of": id, value: written, spellcheck: "false", autocomplete: "off", change: () => this.alter({ what: "written", at: id, to: field.value }) });
     field.addEventListener("keydown", leave);
@@ -138,7 +139,7 @@ export class Body {
       this.selected = ids[Math.max(ids.indexOf(at) - 1, 0)] ?? "";
     }
     this.alter({ what, at, to });
-    this.paper.focus();
+    attend(this.paper);
   }
 
   private key(event: KeyboardEvent): void {
@@ -154,7 +155,8 @@ export class Body {
     if (by) {
       const at = ids.indexOf(this.selected);
       this.select(ids[Math.min(Math.max(at + by, 0), ids.length - 1)] ?? "");
-      this.paper.querySelector(".selected")?.scrollIntoView({ block: "nearest", inline: "nearest" });
+      const seen = this.paper.querySelector(".selected");
+      if (seen) reveal(seen);
     } else if (this.palette.key(event)) {
       // It is drawn.
     } else if (event.key === "Enter") this.form.querySelector<HTMLElement>("input")?.focus();

@@ -12,6 +12,7 @@ import { h } from "../dom";
 import { keep, kept } from "../kept";
 import { announce } from "../notes";
 import type { Past } from "../project/past";
+import { attend, reveal } from "../reveal";
 import { DRAWN } from "./drawn";
 import { type Done, Form } from "./form";
 import { LiveChart } from "./live";
@@ -60,10 +61,10 @@ export class ChartPane {
     private readonly around: Around,
     private readonly past: Past,
   ) {
-    this.form = new Form((act) => void this.act(act), () => this.paper.focus());
+    this.form = new Form((act) => void this.act(act), () => attend(this.paper));
     this.live = new LiveChart(this.paper, around.program, around.bench);
     const buttons = ACTS.map(([what, word, key]) =>
-      h("button", { type: "button", id: `chart-${what}`, [SIGNS[what] ? "data-say-label" : "data-say"]: word, title: key, click: () => void this.act({ what }).then(() => this.paper.focus()) }, SIGNS[what] ?? ""));
+      h("button", { type: "button", id: `chart-${what}`, [SIGNS[what] ? "data-say-label" : "data-say"]: word, title: key, click: () => void this.act({ what }).then(() => attend(this.paper)) }, SIGNS[what] ?? ""));
     const look = h("button", { type: "button", id: "chart-look", "data-say": "chartLook", click: () => {
       keep(LOOK, this.look === "grafcet" ? "norm" : "grafcet");
       void this.turnTo(this.number);
@@ -205,7 +206,7 @@ export class ChartPane {
       this.problems = [];
       this.around.write(text);
       await this.draw(text);
-      this.paper.focus();
+      attend(this.paper);
     });
   }
 
@@ -245,7 +246,8 @@ export class ChartPane {
     };
     const nearest = parts.reduce((best, part) => (far(part) < far(best) ? part : best), own);
     this.select(nearest.id);
-    this.paper.querySelector(`[data-id="${nearest.id}"]`)?.scrollIntoView({ block: "nearest", inline: "nearest" });
+    const seen = this.paper.querySelector(`[data-id="${nearest.id}"]`);
+    if (seen) reveal(seen);
   }
 }
 

@@ -3,6 +3,7 @@
 import { RangeSetBuilder, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, EditorView } from "@codemirror/view";
 import { byId } from "../dom";
+import { reveal } from "../reveal";
 
 /** Instructions, from the first to before the last. */
 export type Range = readonly [from: number, until: number];
@@ -51,7 +52,7 @@ export function markDrawings(next: Range | null, stops: readonly number[]): void
     element.classList.toggle("slow-stop", stops.some((step) => holds(step, step + 1)));
     if (comes && element.getClientRects().length > 0) seen ??= element;
   }
-  seen?.scrollIntoView({ block: "nearest", inline: "nearest" });
+  if (seen) reveal(seen);
 }
 
 /** Whether one of these instructions is an element's. */
