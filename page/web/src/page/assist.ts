@@ -39,6 +39,12 @@ export function assist(around: Around, root: HTMLElement): Extension {
     shown = null;
   };
 
+  /** Does something with what Rust says of the text; nothing if the text has changed since. */
+  const ask = <T>(view: EditorView, answer: Promise<T>, then: (told: T) => void): void => {
+    const { doc } = view.state;
+    void asked(answer, (told) => (view.state.doc.eq(doc) ? then(told) : note(() => say("changedSince"))));
+  };
+
   const change = (view: EditorView, changes: readonly Change[]): void => {
     view.dispatch({ changes: changes.map(({ from, to, insert }) => ({ from, to, insert })), userEvent: "input.assist" });
     view.focus();
@@ -50,14 +56,14 @@ export function assist(around: Around, root: HTMLElement): Extension {
   };
 
   const declaration = (view: EditorView): void =>
-    void asked(around.tools.ask("uses", { ...of(view), at: at(view) }), (uses) => {
+    ask(view, around.tools.ask("uses", { ...of(view), at: at(view) }), (uses) => {
       const declared = uses.find((use) => use.declares);
       if (declared) go(view, declared.from);
       else note(() => say("notDeclared"));
     });
 
   const uses = (view: EditorView): void =>
-    void asked(around.tools.ask("uses", { ...of(view), at: at(view) }), (uses) => {
+    ask(view, around.tools.ask("uses", { ...of(view), at: at(view) }), (uses) => {
       if (uses.length === 0) return note(() => say("notDeclared"));
       const line = (from: number): string => view.state.doc.lineAt(from).text.trim().slice(0, 60);
       open(view, () => uses.map((use) => entry(`${use.line}: ${line(use.from)}`, () => go(view, use.from), use.declares ? say("useDeclares") : use.writes ? say("useWrites") : "")));
@@ -70,18 +76,18 @@ export function assist(around: Around, root: HTMLElement): Extension {
     const form = h("form", { class: "rename" }, name, h("button", { type: "submit", class: "primary" }, say("renameName")));
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      void asked(around.tools.ask("rename", { ...of(view), at: place, to: name.value }), (changes) => change(view, changes));
+      ask(view, around.tools.ask("rename", { ...of(view), at: place, to: name.value }), (changes) => change(view, changes));
     });
     open(view, () => [form]);
     name.select();
     name.focus();
   };
 
-  const format = (view: EditorView): void => void asked(around.tools.ask("form", of(view)), (changes) => change(view, changes));
+  const format = (view: EditorView): void => ask(view, around.tools.ask("form", of(view)), (changes) => change(view, changes));
 
   const remedies = (view: EditorView): void => {
     const { from, to } = view.state.doc.lineAt(at(view));
-    void asked(around.tools.ask("remedies", { ...of(view), from, to, speak: speak.value }), (mended) => {
+    ask(view, around.tools.ask("remedies", { ...of(view), from, to, speak: speak.value }), (mended) => {
       if (mended.length === 0) return note(() => say("noRemedy"));
       open(view, () => mended.map((remedy) => entry(remedy.title, () => change(view, remedy.changes))));
     });

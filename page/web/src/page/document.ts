@@ -96,6 +96,12 @@ export class ProgramDocument {
     return made && this.lacks.value === 0 ? { text: this.text.value, made } : null;
   }
 
+  /** Whether this is still the program: what was asked of another one is not written into it. */
+  isStill({ name, text }: Text): boolean {
+    const now = this.text.value;
+    return now.name === name && now.text === text;
+  }
+
   /** The program and its drawing as they are. */
   get work(): Work {
     return { ...this.text.value, drawing: this.drawing.value };

@@ -24,9 +24,11 @@ export function turnTo(area: HTMLElement): void {
   area.scrollIntoView({ inline: "start", block: "nearest" });
 }
 
-/** Gives the keyboard to what is in its place already. */
+/** Gives the keyboard back to an element, unless the user has gone on to another area with it. */
 export function attend(element: HTMLElement): void {
-  element.focus({ preventScroll: true });
+  const now = document.activeElement;
+  const isElsewhere = now !== null && now !== document.body && !element.closest("main > *")?.contains(now);
+  if (!isElsewhere) element.focus({ preventScroll: true });
 }
 
 /** The editor's text scrolls alone as long as its page is not the one shown. */

@@ -10,6 +10,7 @@ export const ASSIST = {
   remedies: ["Fix this line", "Corrigir esta linha"],
   newName: ["New name", "Novo nome"],
   notDeclared: ["There is no declared name here.", "Não há um nome declarado aqui."],
+  changedSince: ["The text was changed in the meantime. Try again.", "O texto mudou nesse meio-tempo. Tente de novo."],
   noRemedy: ["Nothing on this line can be fixed automatically.", "Nada nesta linha pode ser corrigido automaticamente."],
   useDeclares: ["declared here", "declarado aqui"],
   useWrites: ["written here", "escrito aqui"],

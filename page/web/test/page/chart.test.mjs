@@ -180,7 +180,7 @@ test("selections, simultaneous sequences, jumps and qualifiers, in either look",
   // A program without a chart shows none.
   await pick(page, "#new-file");
   await page.locator("#chart").waitFor({ state: "hidden" });
-  await page.locator("#sheet .rung").waitFor();
+  await page.waitForFunction(() => document.querySelectorAll("#sheet .rung").length === 1);
   await page.context().close();
 });
 

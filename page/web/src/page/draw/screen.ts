@@ -60,6 +60,8 @@ export class Screen {
   private readonly menu: HTMLElement;
   private place: Place = "behind";
   private heard = "";
+  /** The program that is shown, as the document counts them: a form at an element of another one is closed. */
+  private of = -1;
   /** The columns that it was drawn in last. */
   private fitted = 0;
 
@@ -104,6 +106,8 @@ export class Screen {
     this.touch();
     this.paper.addEventListener("keydown", (event) => this.key(event));
     this.session.drawn.follow((drawn) => {
+      if (this.of !== program.opened) this.over.querySelector<HTMLElement>("#form-cancel")?.click();
+      this.of = program.opened;
       undo.disabled = !drawn || drawn.undo === 0;
       redo.disabled = !drawn || drawn.redo === 0;
       if (drawn) this.show(drawn);
@@ -196,7 +200,7 @@ export class Screen {
   /** Somebody wants to draw. */
   begin(): void {
     this.fold(false);
-    attend(this.paper);
+    this.paper.focus();
   }
 
   private fold(folds: boolean): void {
@@ -228,7 +232,7 @@ export class Screen {
 
   private async edit(comment = false): Promise<void> {
     const drawn = this.session.drawn.value;
-    if (!drawn || this.session.closed.value) return;
+    if (!drawn || this.session.closed.value || this.session.isOther) return;
     const asked: Drawn = comment ? { ...drawn, at: { ...drawn.at, what: "rung", fields: [] } } : drawn;
     if (asked.at.what === "rung" || (asked.at.what === "element" && asked.at.fields.length > 0)) {
       await ask(this.over, asked, this.sheet.box(drawn.cursor[0]), (act) => this.session.attempt(act));

@@ -67,7 +67,7 @@ export class Session {
     let refused: Refusal | null = null;
     await this.next(async () => {
       const looksOn = this.closed.value === "loses" && MOVES.has(act.do);
-      if ((this.closed.value && !looksOn) || !this.drawing) return;
+      if ((this.closed.value && !looksOn) || !this.drawing || this.isOther) return;
       try {
         const drawn = await this.tools.ask("edit", { act, ...this.shown });
         this.take(act, drawn);
@@ -90,6 +90,11 @@ export class Session {
     return this.next(async () => {
       this.drawn.value = await this.tools.ask("edit", { act: null, ...this.shown });
     });
+  }
+
+  /** Another program is open than the one that is drawn: what was asked of that one comes too late. */
+  get isOther(): boolean {
+    return this.program.opened !== this.opened;
   }
 
   private get shown(): { name: string; width: number; isBlocks: boolean; speak: typeof speak.value } {
@@ -130,7 +135,7 @@ export class Session {
     const kept = program.drawing.value;
     const isDrawn = kept !== null && isOf(kept, text);
     const canDraw = checked.language === "il" || checked.language === "numeric" || checked.blank;
-    const isAnother = program.opened !== this.opened;
+    const isAnother = this.isOther;
     const loses = this.closed.value === "loses" && !isAnother ? "loses" : null;
     this.closed.value = isDrawn || (canDraw && (checked.program || checked.blank)) ? loses : !checked.program && !checked.blank ? "faulty" : "readOnly";
     if (this.closed.value === "faulty") {
@@ -170,6 +175,7 @@ export class Session {
       drawing = anew;
       drawn = await this.tools.ask("draw", { base: text, log: [], ...this.shown });
     }
+    if (this.isOther) return;
     // Nothing but its text is the program's.
     this.keep({ ...drawing, name: text.name, lacks: lacks(drawn) });
     this.drawn.value = drawn;
@@ -179,7 +185,7 @@ export class Session {
   /** This was done, and this is how it is drawn then; the program has its text, if it may. */
   private take(act: Act, drawn: Drawn, mayWrite = true): void {
     const { drawing } = this;
-    if (!drawing) return;
+    if (!drawing || this.isOther) return;
     const log = [...drawing.log];
     if (MOVES.has(act.do)) {
       if (MOVES.has(log.at(-1)?.do ?? "")) log.pop();

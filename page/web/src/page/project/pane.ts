@@ -152,7 +152,7 @@ export class ProjectPane {
       if (!of) return;
       const unit = this.unit?.name;
       await asked(this.around.tools.ask("alter", { of, ...(unit === undefined ? {} : { unit }), ...altered }), (text) => {
-        if (text === of.text) return;
+        if (text === of.text || !this.around.program.isStill(of)) return;
         const after = { ...of, text };
         this.past.did(after);
         this.around.write(after);

@@ -44,10 +44,11 @@ export class Past {
     this.isWriting = false;
   }
 
-  /** The text before, or after; null where there is none. */
+  /** The text before, or after; null where there is none, and where the program is another by now. */
   go(way: "undo" | "redo"): Text | null {
+    if (!this.now || !this.program.isStill(this.now)) return null;
     const text = this.texts[way].pop();
-    if (!text || !this.now) return null;
+    if (!text) return null;
     this.texts[way === "undo" ? "redo" : "undo"].push(this.now);
     this.now = text;
     this.isWriting = false;

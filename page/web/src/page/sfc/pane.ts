@@ -184,11 +184,11 @@ export class ChartPane {
   /** Does something to the selected part. */
   private act(act: Done): Promise<void> {
     return this.next(async () => {
-      const { tools, write } = this.around;
+      const { program, tools, write } = this.around;
       const of = this.past.now;
       if (!of) return;
       await asked(tools.ask("chart", { of, look: this.look, chart: this.number, at: this.selected, ...act }), ({ charts, text, select }) => {
-        if (text === null || this.past.now !== of) return;
+        if (text === null || !program.isStill(of)) return;
         this.selected = select ?? this.selected;
         const after = { ...of, text };
         this.past.did(after);
