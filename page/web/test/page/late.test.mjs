@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { Lab, choose, keptText, pick, still, type } from "./harness.mjs";
+import { Lab, choose, keptText, pick, run, still, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @type {Lab} */
@@ -149,5 +149,24 @@ test("a text that has changed since is not formatted", async () => {
   });
   await page.locator("#notes", { hasText: "The text was changed in the meantime" }).waitFor();
   assert.equal(await keptText(page), `(* mine *) ${written}`);
+  await page.context().close();
+});
+
+test("slow motion does not begin in a program that has changed since", async () => {
+  const page = await begun();
+  await type(page, "LD I1\nST Q1\n", "p.il");
+  await run(page);
+  await page.locator("#ladder svg.live").waitFor();
+  await unanswered(page, async () => {
+    await pick(page, "#slow-motion");
+    // Its styles are loaded first.
+    await page.waitForFunction("held.length > 0");
+    await page.click(".cm-content");
+    await page.keyboard.press("Control+End");
+    await page.keyboard.type("LD I2\nST Q2\n");
+  });
+  await page.locator("#notes", { hasText: "The program has changed" }).waitFor();
+  assert.ok(await page.locator("#slow").isHidden());
+  assert.equal(await keptText(page), "LD I1\nST Q1\nLD I2\nST Q2\n");
   await page.context().close();
 });

@@ -120,6 +120,10 @@ export class SlowMotion {
     const { svg } = await tools.ask("ladder", { of: text, width: 80, isBlocks: false, speak: speak.value });
     const held = await stepper(bench, tools, text, (now) => this.stand(now));
     if (!held) return note(() => say("slowNothing"));
+    if (!program.isStill(text)) {
+      held.release();
+      return note(() => say("slowChanged"));
+    }
     this.held = { text, made, rungs: rungStarts(svg), stepper: held };
     this.stops = [];
     bench.pause();
