@@ -165,8 +165,10 @@ test("an undo by a note can be done again, with the drawing that it took", async
   await page.click('.palette [data-what="contact"]');
   await page.fill("#field-point", "I3 go");
   await page.keyboard.press("Enter");
+  await page.locator('#sheet .element[data-point="I3"]').waitFor();
   // The coil is not complete, so that the text has nothing of it.
   await page.click('.palette [data-what="coil"]');
+  await page.locator(".at-element").waitFor();
   await page.keyboard.press("Escape");
   await page.locator("#mistakes .error").first().waitFor();
   await offer("Undo");

@@ -297,7 +297,7 @@ export class Screen {
       const at = id(event);
       const from = event.shiftKey ? (this.session.drawn.value?.cursor[0] ?? at) : at;
       if (at) void this.session.act({ do: "select", from, to: at });
-      attend(this.paper);
+      this.paper.focus({ preventScroll: true });
     };
     const drop = async (at: number, place: Place): Promise<void> => {
       const selected = this.session.drawn.value?.selected ?? [];
