@@ -256,12 +256,12 @@ export async function choose(page, name, bytes) {
   }, name, bytes);
 }
 
-/** Puts the program on the board, by the button, and waits until it runs.
+/** Puts the program on the board, by the button, and waits until it runs: one that ran before is no longer spoken of.
  * @param {import("playwright-core").Page} page */
 export async function run(page) {
   await page.locator("#problem-count:not(.bad)").waitFor();
   await page.click("#run");
-  await state(page, "RUN");
+  await page.locator('#status[data-state="RUN"]:has(#about-program:empty)').waitFor();
 }
 
 /** What the browser has kept for the tab of this page. @param {import("playwright-core").Page} page @param {string} kind */
