@@ -84,6 +84,7 @@ export const STATES = [
   at("machines", async (page) => {
     await pick(page, "#machines");
     await page.locator("#gallery .gallery-card").nth(7).waitFor();
+    await page.waitForFunction(() => [...document.querySelectorAll("img")].every((one) => one.getBoundingClientRect().top > innerHeight || (one.src !== "" && one.complete)));
   }),
   at("machine", async (page) => {
     await pick(page, "#machines");
@@ -101,6 +102,8 @@ export const STATES = [
   at("tutorial", async (page) => {
     await pick(page, "#lessons");
     await page.locator("#lesson h3").waitFor();
+    // The sheet is drawn again for the room that is left.
+    await page.waitForFunction(() => (/** @type {SVGSVGElement | null} */ (document.querySelector("#sheet svg"))?.getScreenCTM()?.a ?? 0) > 0.9);
   }),
   at("programs", async (page) => {
     await pick(page, "#new-file");
