@@ -14,7 +14,7 @@ before(async () => (lab = await Lab.begin()));
 after(() => lab.end());
 
 /** Has the answers of the worker with the tools wait for as long as `held` is a list. */
-function holding() {
+function holdAnswers() {
   /** @type {any} */
   const page = window;
   page.held = null;
@@ -32,7 +32,7 @@ function holding() {
 /** A page whose answers can be held. */
 async function begun() {
   const page = await lab.other();
-  await page.addInitScript(holding);
+  await page.addInitScript(holdAnswers);
   await page.reload();
   await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
   await still(page);
@@ -46,11 +46,17 @@ async function unanswered(page, act) {
   await page.evaluate("for (const come of [held, held = null][0]) come()");
 }
 
+/** The sheet is empty: one rung, and the program has no text. @param {Page} page */
+async function isNew(page) {
+  await page.waitForFunction(() => document.querySelectorAll("#sheet .rung").length === 1);
+  assert.equal(await keptText(page), "");
+}
+
 /** An empty sheet, which took the place of a program, with a contact. @param {Page} page */
 async function drawn(page) {
   await pick(page, "#new-file");
   await page.click("#view-draw");
-  await page.waitForFunction(() => document.querySelectorAll("#sheet .rung").length === 1);
+  await isNew(page);
   await page.click('.palette [data-what="contact"]');
   await page.fill("#field-point", "I3");
   await page.keyboard.press("Enter");
@@ -115,8 +121,7 @@ test("a chart is not changed once another program is open, and undo does not bri
     await pick(page, "#new-file");
   });
   await page.locator("#chart").waitFor({ state: "hidden" });
-  await page.waitForFunction(() => document.querySelectorAll("#sheet .rung").length === 1);
-  assert.equal(await keptText(page), "");
+  await isNew(page);
   await page.context().close();
 });
 
@@ -131,8 +136,7 @@ test("a project is not changed once another program is open", async () => {
     await pick(page, "#new-file");
   });
   await page.locator("#project-pane").waitFor({ state: "hidden" });
-  await page.waitForFunction(() => document.querySelectorAll("#sheet .rung").length === 1);
-  assert.equal(await keptText(page), "");
+  await isNew(page);
   await page.context().close();
 });
 

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { Lab, clean, lamp, pick, run, select, type } from "./harness.mjs";
+import { Lab, clean, lamp, pick, run, select, turned, type } from "./harness.mjs";
 
 /** Two rungs: line 1 and 2, line 4 to 6; line 3 makes no code. */
 const PROGRAM = `LD I1
@@ -96,6 +96,7 @@ for (const view of /** @type {const} */ (["draw", "text"])) {
     const page = await slow(PROGRAM, "slow.il", 1, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
     await page.tap(`#view-${view}`);
     await page.tap("#page-machine");
+    await turned(page, "#board");
     const left = () => page.locator("#board").evaluate((board) => Math.round(board.getBoundingClientRect().left));
     for (const line of [2, 4]) {
       // What comes late, after the page was turned.
